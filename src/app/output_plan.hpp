@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace eisph {
+
+/// One frame that falls on an output time.
+struct DueFrame {
+  std::size_t image = 0;  ///< place in Scene::images
+  std::size_t index = 0;  ///< of the frame in its sequence, from 0
+};
+
+/// Everything that falls on one output time.
+struct DueOutputs {
+  bool particles = false;
+  bool depth = false;
+  bool probes = false;
+  std::vector<DueFrame> frames;
+
+  [[nodiscard]] bool any() const { return particles || depth || probes || !frames.empty(); }
+};
+
+/// How much of everything a whole run writes.
+struct OutputCounts {
+  std::size_t particles = 0;
+  std::size_t depth = 0;
+  std::size_t probe_times = 0;
+  std::vector<std::size_t> frames;  ///< by image
+};
+
+/// The output times of a scene, with all its schedules taken together.
+class OutputPlan {
+ public:
+  /// Times nearer than this are one time, s.
+  static constexpr double kTolerance = 1e-9;
+
+  OutputPlan(const Scene& scene, bool frames);
+
+  /// The first output time after `time`, s; infinity if there is none.
+  [[nodiscard]] double next_after(double time) const;
+  [[nodiscard]] DueOutputs due_at(double time) const;
+  [[nodiscard]] OutputCounts counts(double end_time) const;
+
+  [[nodiscard]] bool has_frames() const { return !frames_.empty(); }
+  /// Whether anything besides frames is written.
+  [[nodiscard]] bool has_records() const;
+
+ private:
+  struct ImageSchedule {
+    std::size_t image = 0;
+    Schedule schedule;
+  };
+
+  Schedule particles_;
+  Schedule depth_;
+  std::vector<Schedule> probes_;
+  std::vector<ImageSchedule> frames_;
+};
+
+/// How many times of the schedule lie in [0, time].
+[[nodiscard]] std::size_t count_due(const Schedule& schedule, double time);
+
+}  // namespace eisph

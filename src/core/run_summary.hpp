@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace eisph {
+
+/// Figures of a finished (or stopped) run: the top level of run.json, by the same names.
+struct RunSummary {
+  std::string scene;
+  std::string status = "finished";  ///< finished, interrupted or blown_up
+  std::string message;              ///< of a blow-up
+  int dimension = 3;
+  std::uint64_t fluid_particles = 0;
+  std::uint64_t object_particles = 0;
+  std::uint64_t ghost_particles_max = 0;  ///< most ghosts held at once
+  int threads = 1;
+  std::uint64_t steps = 0;
+  double simulated_time = 0.0;              ///< s
+  double time_step_mean = 0.0;              ///< s
+  double wall_time_loop = 0.0;              ///< s, time loop alone
+  double wall_time_initial_pressure = 0.0;  ///< s
+  double particle_steps_per_second = 0.0;   ///< fluid particles x steps / wall_time_loop
+  double cpu_time_total = 0.0;              ///< s, all threads of the process
+  std::map<std::string, double> stage_ns_per_particle_step;  ///< wall clock ns, by stage
+  double state_bytes_per_particle = 0.0;
+  std::map<std::string, double> state_bytes_by_array;  ///< bytes
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint64_t penetrations = 0;  ///< counted before any safety clamp
+  std::uint64_t lost_particles = 0;
+  std::uint64_t outflow_particles = 0;  ///< taken out through open faces
+  double compression_max = 0.0;         ///< largest number density - 1 over the run
+  double compression_p95 = 0.0;         ///< 95th percentile over the fluid, largest over the run
+  double energy_initial = 0.0;          ///< J (J/m in 2D), potential + kinetic
+  double energy_final = 0.0;
+  double energy_gain_max = 0.0;  ///< largest rise above the lowest energy before it
+  double mass_error = 0.0;       ///< (final + outflow - initial) / initial
+  std::uint64_t frames_written = 0;
+  std::uint64_t frames_dropped = 0;
+};
+
+}  // namespace eisph

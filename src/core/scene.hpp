@@ -1,0 +1,186 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/schedule.hpp"
+#include "core/shape.hpp"
+
+namespace eisph {
+
+// The content of a scene file, checked and with defaults filled in. SI units. Two-dimensional scenes lie in
+// the plane y = 0 and use x and z; the vertical is z in both dimensions.
+
+/// Faces of the domain, in the order of Scene::faces. y faces are unused in two dimensions.
+enum FaceIndex : int { kXMin = 0, kXMax, kYMin, kYMax, kZMin, kZMax, kFaceCount };
+
+enum class FaceKind {
+  Wall,      ///< impermeable; slip_factor 1 is free slip, 0 no slip
+  Symmetry,  ///< mirror plane: free slip, without virtual particles
+  Open,      ///< nothing; fluid that leaves is taken out, except through z_max, which is the open sky
+};
+
+struct Face {
+  FaceKind kind = FaceKind::Wall;
+  double slip_factor = 1.0;
+};
+
+/// Water: every particle of the lattice inside one of the added shapes and in none of the cut ones.
+struct FluidRegion {
+  Shape shape;
+  bool cut = false;                ///< takes particles out instead of adding them
+  Vec3d velocity = Vec3d::Zero();  ///< initial velocity, m/s
+};
+
+/// A fixed solid of object particles: an obstacle or a dam wall.
+struct Obstacle {
+  std::string name;
+  Shape shape;
+};
+
+enum class GateMotion {
+  Instant,  ///< vanishes at start_time
+  Lift,     ///< rises by `stroke` at `speed` from start_time on, then is gone
+};
+
+/// A moving solid of object particles.
+struct Gate {
+  std::string name;
+  Shape shape;
+  GateMotion motion = GateMotion::Instant;
+  double start_time = 0.0;  ///< s
+  double speed = 0.0;       ///< m/s, upwards
+  double stroke = 0.0;      ///< m
+
+  /// Height above the closed position at `time`, or nothing once the gate is gone.
+  [[nodiscard]] std::optional<double> lift(double time) const;
+};
+
+/// Water level in a control volume: the highest particle in a square column of side `size` about (x, y)
+/// (thesis section 4.2.1).
+struct Gauge {
+  std::string name;
+  double x = 0.0;
+  double y = 0.0;
+  double size = 0.0;      ///< m, default 1.5 particle spacings
+  double height = 0.0;    ///< m, top of the column above the floor; 0: the domain's height
+  double interval = 0.0;  ///< s
+};
+
+/// Pressure and velocity at a point, by kernel interpolation over the fluid.
+struct PointProbe {
+  std::string name;
+  Vec3d position = Vec3d::Zero();
+  double interval = 0.0;  ///< s
+};
+
+enum class Stepping { Symplectic, Thesis };
+enum class InitialPressure { Solve, Hydrostatic, Zero };
+enum class TimeStepMode { Adaptive, Fixed };
+
+struct SchemeSettings {
+  std::string name = "eisph";
+  Stepping stepping = Stepping::Symplectic;
+  TimeStepMode time_step_mode = TimeStepMode::Adaptive;
+  double phi = 0.17;                   ///< dt Umax / dx of the adaptive step
+  double time_step = 0.0;              ///< s, fixed step
+  double source_factor = 3.0;          ///< omega (method: symplectic 3, thesis 1)
+  std::optional<double> volume_correction;  ///< kappa; default min(1, 3 phi), thesis 0.1; 0: off
+  int pressure_sweeps = 1;
+  double free_surface_threshold = 0.9;  ///< of the normalised number density
+  InitialPressure initial_pressure = InitialPressure::Solve;
+  bool clamp_pressure = true;  ///< no negative pressure
+};
+
+struct BoundarySettings {
+  bool ghost_particles = true;
+  bool virtual_particles = true;
+  double repulsion_cutoff = 0.4;    ///< r0 / dx
+  double repulsion_strength = 1.0;  ///< c^2 / (2 g H)
+  double repulsion_cap = 5.0;       ///< largest acceleration, in units of 2 g H / dx
+  bool object_no_slip = true;       ///< objects take part in the viscous sum
+};
+
+enum class Projection { Perspective, Orthographic };
+
+struct Camera {
+  Projection projection = Projection::Perspective;
+  Vec3d eye = Vec3d::Zero();
+  Vec3d target = Vec3d::Zero();
+  Vec3d up = Vec3d::UnitZ();
+  double field_of_view = 35.0;       ///< vertical, degrees (perspective)
+  double orthographic_height = 0.0;  ///< m of the scene over the image height (orthographic)
+};
+
+enum class ImageKind { Particles, DepthMap };
+
+/// One sequence of frames.
+struct ImageSettings {
+  std::string name;
+  ImageKind kind = ImageKind::Particles;
+  int width = 1280;
+  int height = 720;
+  /// particles: speed, velocity_x, velocity_y, velocity_z, pressure, depth, kind. Depth maps: depth.
+  std::string field = "speed";
+  std::string colour_map = "viridis";            ///< a table in assets/colour_maps, or "grey_depth"
+  std::optional<std::array<double, 2>> range;    ///< of the colour bar, field units; default: automatic
+  std::optional<Camera> camera;                  ///< default: the whole domain from the front and above
+  double dry_depth = 0.005;                      ///< m, depth map: shallower is background
+  bool mirror = false;                           ///< depth map: draw the mirror image across symmetry planes
+  bool draw_walls = true;
+  bool draw_obstacles = true;
+  bool dark_background = false;
+  Schedule schedule;
+};
+
+/// What is written besides frames.
+struct OutputSettings {
+  Schedule particles;            ///< .vtp files
+  Schedule depth;                ///< .vti depth grids
+  double depth_cell_size = 0.0;  ///< m, default 1.5 dx
+  bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
+  int queue_length = 2;
+};
+
+struct Scene {
+  std::string name;   ///< folder of the outputs
+  std::string title;  ///< on frames
+  std::string source_file;
+  int dimension = 3;
+  double end_time = 0.0;          ///< s
+  double particle_spacing = 0.0;  ///< m
+  double smoothing_ratio = 1.32;  ///< h / dx
+  std::string kernel = "cubic_spline";
+
+  double density = 1000.0;               ///< kg/m^3
+  double kinematic_viscosity = 0.0;      ///< m^2/s
+  double artificial_viscosity = 0.02;    ///< alpha_v
+  double reference_depth = 0.0;          ///< m, H; default: from the water's highest to its lowest point
+  double jitter = 0.0;                   ///< initial random displacement, fraction of dx
+  unsigned jitter_seed = 1;
+  Vec3d gravity = Vec3d(0.0, 0.0, -9.81);  ///< m/s^2
+
+  Vec3d domain_min = Vec3d::Zero();
+  Vec3d domain_max = Vec3d::Zero();
+  std::array<Face, kFaceCount> faces;
+
+  std::vector<FluidRegion> fluid;
+  std::vector<Obstacle> obstacles;
+  std::vector<Gate> gates;
+  std::vector<Gauge> gauges;
+  std::vector<PointProbe> probes;
+
+  SchemeSettings scheme;
+  BoundarySettings boundary;
+  OutputSettings output;
+  std::vector<ImageSettings> images;
+
+  [[nodiscard]] double smoothing_length() const { return smoothing_ratio * particle_spacing; }
+  [[nodiscard]] double support_radius() const { return 2.0 * smoothing_length(); }
+  /// sqrt(2 g H): the speed expected of the wave, m/s.
+  [[nodiscard]] double reference_speed() const;
+};
+
+}  // namespace eisph

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/run_summary.hpp"
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+
+namespace eisph {
+
+/// What a scene amounts to before anything runs.
+struct SimulationPlan {
+  std::uint64_t fluid_particles = 0;
+  std::uint64_t object_particles = 0;
+  std::uint64_t virtual_particles = 0;  ///< of the wall lattice at dx/2; evaluated on the fly, not stored
+  std::uint64_t ghost_particles = 0;    ///< at t = 0
+  double time_step = 0.0;               ///< s, at t = 0
+  double effective_sound_speed = 0.0;   ///< m/s, of one sweep with persistent pressure
+  std::uint64_t estimated_steps = 0;    ///< to the end time
+  std::uint64_t estimated_bytes = 0;    ///< solver state
+};
+
+/// A running simulation, of either dimension. Used by one thread; starts `threads - 1` workers of its own.
+class Simulation {
+ public:
+  /// Places the particles. Throws InputError when the scene cannot be simulated.
+  static std::unique_ptr<Simulation> create(const Scene& scene, int threads);
+  virtual ~Simulation() = default;
+
+  [[nodiscard]] virtual SimulationPlan plan() const = 0;
+  /// Finds the pressure at t = 0. Called once, before the first step.
+  virtual void initialise() = 0;
+  /// One time step that ends at or before `until`; the remaining time is divided into equal steps, so that
+  /// `until` is met exactly (time() == until to the bit). Throws BlowUpError.
+  virtual void step(double until) = 0;
+
+  [[nodiscard]] virtual double time() const = 0;       ///< s
+  [[nodiscard]] virtual double time_step() const = 0;  ///< s, of the last step
+  [[nodiscard]] virtual std::uint64_t steps() const = 0;
+  [[nodiscard]] virtual std::uint64_t fluid_particles() const = 0;
+  /// The present state, positions brought to time().
+  [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot() const = 0;
+  /// Figures known to the solver: counts, stage times, memory, compression, energy, penetrations. The wall
+  /// clock of the loop covers step() only.
+  [[nodiscard]] virtual RunSummary summary() const = 0;
+};
+
+}  // namespace eisph
