@@ -27,7 +27,10 @@ std::size_t count_due_any(const std::vector<Schedule>& schedules, double time) {
 std::size_t count_due(const Schedule& schedule, double time) { return count_due_any({schedule}, time); }
 
 OutputPlan::OutputPlan(const Scene& scene, bool frames)
-    : particles_(scene.output.particles), depth_(scene.output.depth) {
+    : particles_(scene.output.particles),
+      depth_(scene.output.depth),
+      image_count_(scene.images.size()),
+      draw_frames_(frames) {
   const auto add_probe = [this](double interval) {
     Schedule schedule;
     schedule.interval = interval;
@@ -35,7 +38,6 @@ OutputPlan::OutputPlan(const Scene& scene, bool frames)
   };
   for (const Gauge& gauge : scene.gauges) add_probe(gauge.interval);
   for (const PointProbe& probe : scene.probes) add_probe(probe.interval);
-  if (!frames) return;
   for (std::size_t image = 0; image < scene.images.size(); ++image) {
     const Schedule& schedule = scene.images[image].schedule;
     if (!schedule.empty()) frames_.push_back({image, schedule});
@@ -47,7 +49,8 @@ bool OutputPlan::has_records() const { return !particles_.empty() || !depth_.emp
 double OutputPlan::next_after(double time) const {
   double next = std::min(particles_.next_after(time, kTolerance), depth_.next_after(time, kTolerance));
   for (const Schedule& probe : probes_) next = std::min(next, probe.next_after(time, kTolerance));
-  for (const ImageSchedule& image : frames_) next = std::min(next, image.schedule.next_after(time, kTolerance));
+  for (const ImageSchedule& image : frames_)
+    next = std::min(next, image.schedule.next_after(time, kTolerance));
   return next;
 }
 
@@ -57,6 +60,7 @@ DueOutputs OutputPlan::due_at(double time) const {
   due.depth = depth_.is_due(time, kTolerance);
   due.probes = std::any_of(probes_.begin(), probes_.end(),
                            [time](const Schedule& probe) { return probe.is_due(time, kTolerance); });
+  if (!draw_frames_) return due;
   for (const ImageSchedule& image : frames_) {
     if (!image.schedule.is_due(time, kTolerance)) continue;
     due.frames.push_back({image.image, count_due(image.schedule, time) - 1});
@@ -69,9 +73,8 @@ OutputCounts OutputPlan::counts(double end_time) const {
   counts.particles = count_due(particles_, end_time);
   counts.depth = count_due(depth_, end_time);
   counts.probe_times = count_due_any(probes_, end_time);
-  std::size_t images = 0;
-  for (const ImageSchedule& image : frames_) images = std::max(images, image.image + 1);
-  counts.frames.assign(images, 0);
+  counts.frames.assign(image_count_, 0);
+  if (!draw_frames_) return counts;
   for (const ImageSchedule& image : frames_) counts.frames[image.image] = count_due(image.schedule, end_time);
   return counts;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/scene.hpp"
+
 #include <cstddef>
 #include <vector>
-
-#include "core/scene.hpp"
 
 namespace eisph {
 
@@ -37,14 +37,15 @@ class OutputPlan {
   /// Times nearer than this are one time, s.
   static constexpr double kTolerance = 1e-9;
 
+  /// Without frames their times remain times at which a step ends, so that the result is the same.
   OutputPlan(const Scene& scene, bool frames);
 
-  /// The first output time after `time`, s; infinity if there is none.
+  /// The first time after `time` (s) at which a step has to end, infinity if there is none.
   [[nodiscard]] double next_after(double time) const;
   [[nodiscard]] DueOutputs due_at(double time) const;
   [[nodiscard]] OutputCounts counts(double end_time) const;
 
-  [[nodiscard]] bool has_frames() const { return !frames_.empty(); }
+  [[nodiscard]] bool has_frames() const { return draw_frames_ && !frames_.empty(); }
   /// Whether anything besides frames is written.
   [[nodiscard]] bool has_records() const;
 
@@ -58,6 +59,8 @@ class OutputPlan {
   Schedule depth_;
   std::vector<Schedule> probes_;
   std::vector<ImageSchedule> frames_;
+  std::size_t image_count_ = 0;  ///< of the scene, those without a schedule too
+  bool draw_frames_ = true;
 };
 
 /// How many times of the schedule lie in [0, time].

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "app/bounded_queue.hpp"
+#include "app/failure_latch.hpp"
+
 #include <functional>
 #include <thread>
 #include <utility>
 
-#include "app/bounded_queue.hpp"
-#include "app/failure_latch.hpp"
-
 namespace eisph {
 
-/// A thread that handles the items of its own bounded queue in order. Its handler is made and destroyed on that
-/// thread, as a drawing context has to be. An exception ends the worker and closes its queue, so that no
+/// A thread that handles the items of its own bounded queue in order. Its handler is made and destroyed on
+/// that thread, as a drawing context has to be. An exception ends the worker and closes its queue, so that no
 /// producer waits for it, and is kept in the latch.
 template <typename T>
 class Worker {
@@ -19,7 +19,9 @@ class Worker {
   using HandlerFactory = std::function<Handler()>;
 
   Worker(std::size_t queue_length, QueuePolicy policy, FailureLatch& latch, HandlerFactory make_handler)
-      : queue_(queue_length, policy), latch_(latch), thread_([this, make = std::move(make_handler)] { work(make); }) {}
+      : queue_(queue_length, policy),
+        latch_(latch),
+        thread_([this, make = std::move(make_handler)] { work(make); }) {}
 
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/schedule.hpp"
+#include "core/shape.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/schedule.hpp"
-#include "core/shape.hpp"
 
 namespace eisph {
 
@@ -25,6 +25,8 @@ enum class FaceKind {
 struct Face {
   FaceKind kind = FaceKind::Wall;
   double slip_factor = 1.0;
+
+  bool operator==(const Face&) const = default;
 };
 
 /// Water: every particle of the lattice inside one of the added shapes and in none of the cut ones.
@@ -32,12 +34,16 @@ struct FluidRegion {
   Shape shape;
   bool cut = false;                ///< takes particles out instead of adding them
   Vec3d velocity = Vec3d::Zero();  ///< initial velocity, m/s
+
+  bool operator==(const FluidRegion&) const = default;
 };
 
 /// A fixed solid of object particles: an obstacle or a dam wall.
 struct Obstacle {
   std::string name;
   Shape shape;
+
+  bool operator==(const Obstacle&) const = default;
 };
 
 enum class GateMotion {
@@ -56,6 +62,8 @@ struct Gate {
 
   /// Height above the closed position at `time`, or nothing once the gate is gone.
   [[nodiscard]] std::optional<double> lift(double time) const;
+
+  bool operator==(const Gate&) const = default;
 };
 
 /// Water level in a control volume: the highest particle in a square column of side `size` about (x, y)
@@ -67,6 +75,8 @@ struct Gauge {
   double size = 0.0;      ///< m, default 1.5 particle spacings
   double height = 0.0;    ///< m, top of the column above the floor; 0: the domain's height
   double interval = 0.0;  ///< s
+
+  bool operator==(const Gauge&) const = default;
 };
 
 /// Pressure and velocity at a point, by kernel interpolation over the fluid.
@@ -74,6 +84,8 @@ struct PointProbe {
   std::string name;
   Vec3d position = Vec3d::Zero();
   double interval = 0.0;  ///< s
+
+  bool operator==(const PointProbe&) const = default;
 };
 
 enum class Stepping { Symplectic, Thesis };
@@ -84,14 +96,16 @@ struct SchemeSettings {
   std::string name = "eisph";
   Stepping stepping = Stepping::Symplectic;
   TimeStepMode time_step_mode = TimeStepMode::Adaptive;
-  double phi = 0.17;                   ///< dt Umax / dx of the adaptive step
-  double time_step = 0.0;              ///< s, fixed step
-  double source_factor = 3.0;          ///< omega (method: symplectic 3, thesis 1)
+  double phi = 0.17;                        ///< dt Umax / dx of the adaptive step
+  double time_step = 0.0;                   ///< s, fixed step
+  double source_factor = 3.0;               ///< omega (method: symplectic 3, thesis 1)
   std::optional<double> volume_correction;  ///< kappa; default min(1, 3 phi), thesis 0.1; 0: off
   int pressure_sweeps = 1;
   double free_surface_threshold = 0.9;  ///< of the normalised number density
   InitialPressure initial_pressure = InitialPressure::Solve;
   bool clamp_pressure = true;  ///< no negative pressure
+
+  bool operator==(const SchemeSettings&) const = default;
 };
 
 struct BoundarySettings {
@@ -101,6 +115,8 @@ struct BoundarySettings {
   double repulsion_strength = 1.0;  ///< c^2 / (2 g H)
   double repulsion_cap = 5.0;       ///< largest acceleration, in units of 2 g H / dx
   bool object_no_slip = true;       ///< objects take part in the viscous sum
+
+  bool operator==(const BoundarySettings&) const = default;
 };
 
 enum class Projection { Perspective, Orthographic };
@@ -112,6 +128,8 @@ struct Camera {
   Vec3d up = Vec3d::UnitZ();
   double field_of_view = 35.0;       ///< vertical, degrees (perspective)
   double orthographic_height = 0.0;  ///< m of the scene over the image height (orthographic)
+
+  bool operator==(const Camera&) const = default;
 };
 
 enum class ImageKind { Particles, DepthMap };
@@ -124,24 +142,29 @@ struct ImageSettings {
   int height = 720;
   /// particles: speed, velocity_x, velocity_y, velocity_z, pressure, depth, kind. Depth maps: depth.
   std::string field = "speed";
-  std::string colour_map = "viridis";            ///< a table in assets/colour_maps, or "grey_depth"
-  std::optional<std::array<double, 2>> range;    ///< of the colour bar, field units; default: automatic
-  std::optional<Camera> camera;                  ///< default: the whole domain from the front and above
-  double dry_depth = 0.005;                      ///< m, depth map: shallower is background
-  bool mirror = false;                           ///< depth map: draw the mirror image across symmetry planes
+  std::string colour_map = "viridis";          ///< a table in assets/colour_maps, or "grey_depth"
+  std::optional<std::array<double, 2>> range;  ///< of the colour bar, field units; default: automatic
+  std::optional<Camera> camera;                ///< default: the whole domain from the front and above
+  double dry_depth = 0.005;                    ///< m, depth map: shallower is background
+  bool mirror = false;                         ///< depth map: draw the mirror image across symmetry planes
   bool draw_walls = true;
   bool draw_obstacles = true;
   bool dark_background = false;
   Schedule schedule;
+
+  bool operator==(const ImageSettings&) const = default;
 };
 
 /// What is written besides frames.
 struct OutputSettings {
-  Schedule particles;            ///< .vtp files
-  Schedule depth;                ///< .vti depth grids
-  double depth_cell_size = 0.0;  ///< m, default 1.5 dx
+  Schedule frames;                 ///< of the images that have no schedule of their own
+  Schedule particles;              ///< .vtp files
+  Schedule depth;                  ///< .vti depth grids
+  double depth_cell_size = 0.0;    ///< m, default 1.5 dx
   bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
   int queue_length = 2;
+
+  bool operator==(const OutputSettings&) const = default;
 };
 
 struct Scene {
@@ -154,11 +177,11 @@ struct Scene {
   double smoothing_ratio = 1.32;  ///< h / dx
   std::string kernel = "cubic_spline";
 
-  double density = 1000.0;               ///< kg/m^3
-  double kinematic_viscosity = 0.0;      ///< m^2/s
-  double artificial_viscosity = 0.02;    ///< alpha_v
-  double reference_depth = 0.0;          ///< m, H; default: from the water's highest to its lowest point
-  double jitter = 0.0;                   ///< initial random displacement, fraction of dx
+  double density = 1000.0;             ///< kg/m^3
+  double kinematic_viscosity = 0.0;    ///< m^2/s
+  double artificial_viscosity = 0.02;  ///< alpha_v
+  double reference_depth = 0.0;        ///< m, H; default: from the water's highest to its lowest point
+  double jitter = 0.0;                 ///< initial random displacement, fraction of dx
   unsigned jitter_seed = 1;
   Vec3d gravity = Vec3d(0.0, 0.0, -9.81);  ///< m/s^2
 
@@ -181,6 +204,8 @@ struct Scene {
   [[nodiscard]] double support_radius() const { return 2.0 * smoothing_length(); }
   /// sqrt(2 g H): the speed expected of the wave, m/s.
   [[nodiscard]] double reference_speed() const;
+
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace eisph

@@ -15,6 +15,8 @@ struct Schedule {
   [[nodiscard]] double next_after(double time, double tolerance = 1e-9) const;
   /// Whether `time` is a due time within `tolerance`.
   [[nodiscard]] bool is_due(double time, double tolerance = 1e-9) const;
+
+  bool operator==(const Schedule&) const = default;
 };
 
 }  // namespace eisph

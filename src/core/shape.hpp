@@ -30,6 +30,8 @@ struct Shape {
   void bounds(Vec3d& lower, Vec3d& upper) const;
   /// Volume in m^3 (area in m^2 for dimension 2).
   [[nodiscard]] double volume(int dimension) const;
+
+  bool operator==(const Shape&) const = default;
 };
 
 }  // namespace eisph

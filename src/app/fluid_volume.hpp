@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/scene.hpp"
+
+namespace eisph {
+
+/// Volume of the water as the scene's shapes describe it, m^3 (m^2 in two dimensions): the added regions taken
+/// together, less the cut ones, within the domain. Within about 0.1 % for water that fills some tenth of the
+/// box around it.
+[[nodiscard]] double fluid_volume(const Scene& scene);
+
+}  // namespace eisph

@@ -1,0 +1,113 @@
+#include "boundary/solid_particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/lattice.hpp"
+
+namespace eisph {
+
+SolidParticles::SolidParticles(const Scene& scene) : dimension_(scene.dimension) {
+  for (const Obstacle& obstacle : scene.obstacles) add(scene, obstacle.shape, nullptr);
+  for (const Gate& gate : scene.gates) add(scene, gate.shape, &gate);
+  list_present();
+  update(0.0);
+}
+
+void SolidParticles::add(const Scene& scene, const Shape& shape, const Gate* gate) {
+  Solid solid;
+  solid.shape = shape;
+  if (gate != nullptr) {
+    solid.gate = *gate;
+    solid.is_gate = true;
+  }
+  solid.first = particles_.size();
+  const SolidLattice lattice =
+      solid_lattice(shape, scene.particle_spacing, scene.support_radius(), scene.dimension);
+  spacing_ = std::max(spacing_, lattice.spacing);
+  const double touching = 1e-6 * scene.particle_spacing;
+  for (std::size_t k = 0; k < lattice.position.size(); ++k) {
+    const Vec3d& at = lattice.position[k];
+    const bool taken = std::any_of(solids_.begin(), solids_.end(), [&](const Solid& earlier) {
+      return earlier.shape.signed_distance(at, dimension_) < -touching;
+    });
+    if (taken) continue;
+    particles_.push_back({at, lattice.volume[k], 0.0F, static_cast<std::uint32_t>(solids_.size())});
+  }
+  solid.count = particles_.size() - solid.first;
+  solids_.push_back(solid);
+}
+
+void SolidParticles::list_present() {
+  present_.clear();
+  for (const Solid& solid : solids_) {
+    if (!solid.present) continue;
+    for (std::size_t k = 0; k < solid.count; ++k) {
+      present_.push_back(static_cast<std::uint32_t>(solid.first + k));
+    }
+  }
+}
+
+bool SolidParticles::update(double time) {
+  bool changed = false;
+  bool left = false;
+  for (Solid& solid : solids_) {
+    if (!solid.is_gate || !solid.present) continue;
+    const std::optional<double> lift = solid.gate.lift(time);
+    const bool moving =
+        lift.has_value() && solid.gate.motion == GateMotion::Lift && time >= solid.gate.start_time;
+    const double rise_speed = moving ? solid.gate.speed : 0.0;
+    if (!lift) {
+      solid.present = false;
+      left = true;
+    } else if (*lift != solid.lift || rise_speed != solid.rise_speed) {
+      changed = true;
+      solid.lift = *lift;
+      solid.rise_speed = rise_speed;
+    }
+  }
+  if (left) list_present();
+  return changed || left;
+}
+
+Vec3d SolidParticles::position(std::size_t k) const {
+  const Particle& particle = particles_[present_[k]];
+  return particle.position + Vec3d(0.0, 0.0, solids_[particle.solid].lift);
+}
+
+double SolidParticles::rise_speed(std::size_t k) const {
+  return solids_[particles_[present_[k]].solid].rise_speed;
+}
+
+bool SolidParticles::push_out(Vec3d& point, Vec3d& normal) const {
+  bool inside = false;
+  for (const Solid& solid : solids_) {
+    if (!solid.present) continue;
+    const Vec3d lift(0.0, 0.0, solid.lift);
+    const Vec3d local = point - lift;
+    const double depth = -solid.shape.signed_distance(local, dimension_);
+    if (depth <= 0.0) continue;
+    inside = true;
+    // Gradient of the distance by differences, small against the depth to the nearest edge.
+    const double step = 1e-6;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (dimension_ == 2 && axis == 1) {
+        normal[axis] = 0.0;
+        continue;
+      }
+      const Vec3d shift = step * Vec3d::Unit(axis);
+      normal[axis] = solid.shape.signed_distance(local + shift, dimension_) -
+                     solid.shape.signed_distance(local - shift, dimension_);
+    }
+    const double length = normal.norm();
+    normal = length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
+    point += (depth * (1.0 + 1e-9) + 1e-12) * normal;
+  }
+  return inside;
+}
+
+std::size_t SolidParticles::bytes() const {
+  return particles_.capacity() * sizeof(Particle) + present_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace eisph

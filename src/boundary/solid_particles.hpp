@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene.hpp"
+
+namespace eisph {
+
+/// The object particles of a scene (thesis section 3.3.2): obstacles and dam walls, which stay, and gates,
+/// which rise or vanish. They take part in every sum like water that does not move.
+class SolidParticles {
+ public:
+  SolidParticles() = default;
+  /// Fills the solids with particles down to a support radius below their surface; deeper ones never meet
+  /// water. Particles of a solid that lie inside an earlier one are left out.
+  explicit SolidParticles(const Scene& scene);
+
+  [[nodiscard]] std::size_t size() const { return present_.size(); }
+  /// Moves the gates to their place at `time`, s. Returns whether anything differs from the last call.
+  bool update(double time);
+
+  /// Of the k-th particle present: m (absolute), m^3 (m^2 in 2D), m/s.
+  [[nodiscard]] Vec3d position(std::size_t k) const;
+  [[nodiscard]] double volume(std::size_t k) const { return particles_[present_[k]].volume; }
+  [[nodiscard]] double rise_speed(std::size_t k) const;
+  /// Pressure kept for the k-th particle present, Pa.
+  float& pressure(std::size_t k) { return particles_[present_[k]].pressure; }
+  [[nodiscard]] float pressure(std::size_t k) const { return particles_[present_[k]].pressure; }
+
+  /// Largest spacing of the lattices, m.
+  [[nodiscard]] double spacing() const { return spacing_; }
+  [[nodiscard]] bool empty() const { return solids_.empty(); }
+
+  /// If `point` lies inside a solid: moves it out through the nearest surface, sets `normal` to the outward
+  /// normal there and returns true.
+  bool push_out(Vec3d& point, Vec3d& normal) const;
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Solid {
+    Shape shape;
+    Gate gate;  ///< of gates
+    bool is_gate = false;
+    bool present = true;
+    double lift = 0.0;
+    double rise_speed = 0.0;
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+  struct Particle {
+    Vec3d position;  ///< closed position
+    double volume;
+    float pressure;
+    std::uint32_t solid;
+  };
+
+  void add(const Scene& scene, const Shape& shape, const Gate* gate);
+  void list_present();
+
+  int dimension_ = 3;
+  double spacing_ = 0.0;
+  std::vector<Solid> solids_;
+  std::vector<Particle> particles_;
+  std::vector<std::uint32_t> present_;
+};
+
+}  // namespace eisph

@@ -1,0 +1,99 @@
+#include "boundary/virtual_particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eisph {
+
+template <int Dim>
+VirtualParticles<Dim>::VirtualParticles(const Scene& scene) {
+  const double speed_squared = scene.reference_speed() * scene.reference_speed();
+  spacing_ = 0.5 * scene.particle_spacing;
+  cutoff_ = scene.boundary.repulsion_cutoff * scene.particle_spacing;
+  strength_ = scene.boundary.repulsion_strength * speed_squared;
+  cap_ = scene.boundary.repulsion_cap * speed_squared / scene.particle_spacing;
+  for (int d = 0; d < Dim; ++d) {
+    const int axis = scene_axis<Dim>(d);
+    extent_[d] = scene.domain_max[axis] - scene.domain_min[axis];
+    const Face& lower = scene.faces[2 * axis];
+    const Face& upper = scene.faces[2 * axis + 1];
+    if (lower.kind != FaceKind::Symmetry && upper.kind == FaceKind::Symmetry) origin_[d] = extent_[d];
+    if (!scene.boundary.virtual_particles) continue;
+    if (lower.kind == FaceKind::Wall) walls_.push_back({d, 0.0, 1.0});
+    if (upper.kind == FaceKind::Wall) walls_.push_back({d, extent_[d], -1.0});
+  }
+}
+
+template <int Dim>
+void VirtualParticles<Dim>::add_acceleration(const std::array<double, Dim>& position,
+                                             std::array<double, Dim>& acceleration) const {
+  std::array<double, Dim> push{};
+  for (const Wall& wall : walls_) {
+    if ((position[wall.axis] - wall.position) * wall.inward < cutoff_) add_wall(wall, position, push);
+  }
+  double squared = 0.0;
+  for (int d = 0; d < Dim; ++d) squared += push[d] * push[d];
+  if (squared == 0.0) return;
+  const double scale = std::min(1.0, cap_ / std::sqrt(squared));
+  for (int d = 0; d < Dim; ++d) acceleration[d] += scale * push[d];
+}
+
+template <int Dim>
+void VirtualParticles<Dim>::add_wall(const Wall& wall, const std::array<double, Dim>& position,
+                                     std::array<double, Dim>& acceleration) const {
+  // First node within the cutoff along each axis in the wall, and one past the last.
+  std::array<long, Dim> first{};
+  std::array<long, Dim> last{};
+  for (int d = 0; d < Dim; ++d) {
+    if (d == wall.axis) continue;
+    first[d] = std::lround(std::ceil((position[d] - cutoff_ - origin_[d]) / spacing_));
+    last[d] = std::lround(std::floor((position[d] + cutoff_ - origin_[d]) / spacing_));
+  }
+  std::array<long, Dim> node = first;
+  std::array<double, Dim> offset{};
+  // At least a thousandth of the cutoff in front of the wall: a particle on a node is still pushed inwards.
+  offset[wall.axis] =
+      std::max((position[wall.axis] - wall.position) * wall.inward, 1e-3 * cutoff_) * wall.inward;
+  const int a = wall.axis == 0 ? 1 : 0;
+  const int b = Dim - 1 == wall.axis ? Dim - 2 : Dim - 1;
+  for (node[a] = first[a]; node[a] <= last[a]; ++node[a]) {
+    offset[a] = position[a] - origin_[a] - spacing_ * static_cast<double>(node[a]);
+    if constexpr (Dim == 2) {
+      add_node(offset, acceleration);
+    } else {
+      for (node[b] = first[b]; node[b] <= last[b]; ++node[b]) {
+        offset[b] = position[b] - origin_[b] - spacing_ * static_cast<double>(node[b]);
+        add_node(offset, acceleration);
+      }
+    }
+  }
+}
+
+template <int Dim>
+void VirtualParticles<Dim>::add_node(const std::array<double, Dim>& offset,
+                                     std::array<double, Dim>& acceleration) const {
+  double squared = 0.0;
+  for (int d = 0; d < Dim; ++d) squared += offset[d] * offset[d];
+  const double ratio = cutoff_ * cutoff_ / squared;  // (r0/r)^2
+  if (ratio <= 1.0) return;
+  const double scale = strength_ * (ratio * ratio - ratio) / squared;
+  for (int d = 0; d < Dim; ++d) acceleration[d] += scale * offset[d];
+}
+
+template <int Dim>
+std::uint64_t VirtualParticles<Dim>::count() const {
+  std::uint64_t sum = 0;
+  for (const Wall& wall : walls_) {
+    std::uint64_t nodes = 1;
+    for (int d = 0; d < Dim; ++d) {
+      if (d != wall.axis) nodes *= static_cast<std::uint64_t>(std::lround(extent_[d] / spacing_)) + 1;
+    }
+    sum += nodes;
+  }
+  return sum;
+}
+
+template class VirtualParticles<2>;
+template class VirtualParticles<3>;
+
+}  // namespace eisph

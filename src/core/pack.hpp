@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace eisph {
+
+// Eight single-precision numbers that one instruction handles. Operators on pairs of particles are templates
+// on their number type: with Pack they treat eight neighbours at a time, with float or double one.
+
+using Pack = float __attribute__((vector_size(32)));
+inline constexpr std::size_t kPackWidth = 8;
+
+/// A row of the arrays that are gathered by neighbour index: three components and a fourth value.
+struct alignas(16) Float4 {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  float w = 0.0F;
+};
+
+template <class Real>
+inline Real splat(double value) {
+  return static_cast<Real>(value);
+}
+template <>
+inline Pack splat<Pack>(double value) {
+  const auto v = static_cast<float>(value);
+  return Pack{v, v, v, v, v, v, v, v};
+}
+
+/// max(value, 0)
+template <class Real>
+inline Real positive_part(Real value) {
+  return value > Real(0) ? value : Real(0);
+}
+template <>
+inline Pack positive_part<Pack>(Pack value) {
+#if defined(__AVX2__)
+  return (Pack)_mm256_max_ps((__m256)value, _mm256_setzero_ps());
+#else
+  for (std::size_t k = 0; k < kPackWidth; ++k) value[k] = positive_part(value[k]);
+  return value;
+#endif
+}
+
+/// 1/sqrt(value) to the accuracy of the type (Pack: about 2e-7 relative).
+template <class Real>
+inline Real reciprocal_sqrt(Real value) {
+  return Real(1) / std::sqrt(value);
+}
+template <>
+inline Pack reciprocal_sqrt<Pack>(Pack value) {
+#if defined(__AVX2__)
+  const Pack estimate = (Pack)_mm256_rsqrt_ps((__m256)value);
+  return estimate * (splat<Pack>(1.5) - splat<Pack>(0.5) * value * estimate * estimate);
+#else
+  for (std::size_t k = 0; k < kPackWidth; ++k) value[k] = 1.0F / std::sqrt(value[k]);
+  return value;
+#endif
+}
+
+template <class Real>
+inline double horizontal_sum(Real value) {
+  return value;
+}
+template <>
+inline double horizontal_sum<Pack>(Pack value) {
+  const float low = (value[0] + value[4]) + (value[2] + value[6]);
+  const float high = (value[1] + value[5]) + (value[3] + value[7]);
+  return low + high;
+}
+
+/// Four arrays of eight from eight rows of a table.
+struct PackRows {
+  Pack x, y, z, w;
+};
+
+inline PackRows gather_rows(const Float4* table, const std::uint32_t* index) {
+  PackRows rows;
+#if defined(__AVX2__)
+  const auto pair = [&](std::size_t low, std::size_t high) {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&table[index[low]].x)),
+                                _mm_load_ps(&table[index[high]].x), 1);
+  };
+  const __m256 r0 = pair(0, 4);
+  const __m256 r1 = pair(1, 5);
+  const __m256 r2 = pair(2, 6);
+  const __m256 r3 = pair(3, 7);
+  const __m256 t0 = _mm256_unpacklo_ps(r0, r1);
+  const __m256 t1 = _mm256_unpackhi_ps(r0, r1);
+  const __m256 t2 = _mm256_unpacklo_ps(r2, r3);
+  const __m256 t3 = _mm256_unpackhi_ps(r2, r3);
+  rows.x = (Pack)_mm256_shuffle_ps(t0, t2, 0x44);
+  rows.y = (Pack)_mm256_shuffle_ps(t0, t2, 0xEE);
+  rows.z = (Pack)_mm256_shuffle_ps(t1, t3, 0x44);
+  rows.w = (Pack)_mm256_shuffle_ps(t1, t3, 0xEE);
+#else
+  for (std::size_t k = 0; k < kPackWidth; ++k) {
+    const Float4& row = table[index[k]];
+    rows.x[k] = row.x;
+    rows.y[k] = row.y;
+    rows.z[k] = row.z;
+    rows.w[k] = row.w;
+  }
+#endif
+  return rows;
+}
+
+/// Appends to `out` the entries of index[0..7] whose `squared` is below `limit`, in order; returns how many.
+/// Up to eight entries may be written whatever the count.
+inline std::size_t append_below(Pack squared, float limit, const std::uint32_t* index, std::uint32_t* out) {
+#if defined(__AVX2__)
+  struct Table {
+    alignas(64) std::uint8_t lane[256][8];
+    constexpr Table() : lane{} {
+      for (int mask = 0; mask < 256; ++mask) {
+        int count = 0;
+        for (int bit = 0; bit < 8; ++bit) {
+          if ((mask >> bit & 1) != 0) lane[mask][count++] = static_cast<std::uint8_t>(bit);
+        }
+      }
+    }
+  };
+  static constexpr Table kTable;
+  const int mask = _mm256_movemask_ps(_mm256_cmp_ps((__m256)squared, _mm256_set1_ps(limit), _CMP_LT_OQ));
+  const __m256i lanes =
+      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kTable.lane[mask])));
+  const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(entries, lanes));
+  return static_cast<std::size_t>(__builtin_popcount(static_cast<unsigned>(mask)));
+#else
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < kPackWidth; ++k) {
+    out[count] = index[k];
+    count += squared[k] < limit ? 1 : 0;
+  }
+  return count;
+#endif
+}
+
+}  // namespace eisph

@@ -1,0 +1,71 @@
+#include "core/thread_pool.hpp"
+
+#include <algorithm>
+
+namespace eisph {
+
+namespace {
+
+// Loops follow each other within microseconds; sleeping in between would cost more than a short wait.
+constexpr int kSpins = 2000;
+
+template <class Value>
+void wait_while(const std::atomic<Value>& variable, Value unwanted) {
+  for (int spin = 0; spin < kSpins; ++spin) {
+    if (variable.load(std::memory_order_acquire) != unwanted) return;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  while (variable.load(std::memory_order_acquire) == unwanted) variable.wait(unwanted);
+}
+
+}  // namespace
+
+ThreadPool::ThreadPool(int threads) {
+  for (int worker = 1; worker < std::max(threads, 1); ++worker) {
+    workers_.emplace_back([this, worker] { work(worker); });
+  }
+}
+
+ThreadPool::~ThreadPool() {
+  stopping_.store(true, std::memory_order_relaxed);
+  generation_.fetch_add(1, std::memory_order_release);
+  generation_.notify_all();
+  for (std::thread& worker : workers_) worker.join();
+}
+
+void ThreadPool::dispatch(std::size_t items, Task task) {
+  task_ = task;
+  items_ = items;
+  next_.store(0, std::memory_order_relaxed);
+  active_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
+  generation_.fetch_add(1, std::memory_order_release);
+  generation_.notify_all();
+  take_items(0);
+  for (std::uint32_t left = active_.load(std::memory_order_acquire); left != 0;
+       left = active_.load(std::memory_order_acquire)) {
+    wait_while(active_, left);
+  }
+}
+
+void ThreadPool::work(int worker) {
+  std::uint32_t seen = 0;
+  for (;;) {
+    wait_while(generation_, seen);
+    ++seen;
+    if (stopping_.load(std::memory_order_relaxed)) return;
+    take_items(worker);
+    if (active_.fetch_sub(1, std::memory_order_acq_rel) == 1) active_.notify_one();
+  }
+}
+
+void ThreadPool::take_items(int worker) {
+  for (;;) {
+    const std::size_t item = next_.fetch_add(1, std::memory_order_relaxed);
+    if (item >= items_) return;
+    task_.call(task_.context, item, worker);
+  }
+}
+
+}  // namespace eisph

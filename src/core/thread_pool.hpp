@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace eisph {
+
+/// Fixed workers for the loops of a time step. The calling thread takes part. Items are handed out one by one,
+/// so a core that is busy elsewhere (drawing, say) simply takes fewer; results must not depend on which
+/// worker treats an item. Starting a loop allocates nothing.
+class ThreadPool {
+ public:
+  /// `threads` in all, the caller included; at least 1.
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  [[nodiscard]] int threads() const { return static_cast<int>(workers_.size()) + 1; }
+
+  /// Calls body(item, worker) for every item in [0, items), worker in [0, threads()). Returns when all are
+  /// done. An exception in a body ends the program: bodies report failure through their results.
+  template <class Body>
+  void run(std::size_t items, const Body& body) {
+    if (items == 0) return;
+    if (workers_.empty() || items == 1) {
+      for (std::size_t item = 0; item < items; ++item) body(item, 0);
+      return;
+    }
+    dispatch(items, {&body, [](const void* context, std::size_t item, int worker) {
+                       (*static_cast<const Body*>(context))(item, worker);
+                     }});
+  }
+
+  /// Calls body(first, last, worker) on consecutive blocks of [0, count).
+  template <class Body>
+  void run_blocks(std::size_t count, std::size_t block, const Body& body) {
+    run((count + block - 1) / block, [&](std::size_t item, int worker) {
+      const std::size_t first = item * block;
+      body(first, first + block < count ? first + block : count, worker);
+    });
+  }
+
+ private:
+  struct Task {
+    const void* context = nullptr;
+    void (*call)(const void*, std::size_t, int) = nullptr;
+  };
+
+  void dispatch(std::size_t items, Task task);
+  void work(int worker);
+  void take_items(int worker);
+
+  std::vector<std::thread> workers_;
+  Task task_;
+  std::size_t items_ = 0;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::uint32_t> generation_{0};
+  std::atomic<std::uint32_t> active_{0};
+  std::atomic<bool> stopping_{false};
+};
+
+}  // namespace eisph

@@ -1,0 +1,137 @@
+#include "io/scene_check.hpp"
+
+#include "io/scene_file.hpp"
+#include "io/schema_value.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace eisph {
+
+namespace {
+
+/// The name of every element of a group must be new; maps names to the section that has them.
+class NameRegister {
+ public:
+  explicit NameRegister(const SceneSource& source) : source_(source) {}
+  void add(const std::string& path, const std::string& name) {
+    const auto [first, is_new] = paths_.emplace(name, path);
+    if (!is_new)
+      source_.fail(path + ".name", fmt::format("name already taken by {}; expected another", first->second));
+  }
+
+ private:
+  const SceneSource& source_;
+  std::map<std::string, std::string> paths_;
+};
+
+void check_names(const Scene& scene, const SceneSource& source) {
+  if (!is_name(scene.name)) {
+    source.fail("name", write_text(scene.name), "expected a name of letters, digits, _ and -");
+  }
+  NameRegister solids(source);
+  for (std::size_t k = 0; k < scene.obstacles.size() + scene.gates.size(); ++k) {
+    const bool fixed = k < scene.obstacles.size();
+    solids.add(solid_path(scene, source, k),
+               fixed ? scene.obstacles[k].name : scene.gates[k - scene.obstacles.size()].name);
+  }
+  NameRegister records(source);
+  for (std::size_t k = 0; k < scene.gauges.size(); ++k)
+    records.add(fmt::format("gauge.{}", k), scene.gauges[k].name);
+  for (std::size_t k = 0; k < scene.probes.size(); ++k)
+    records.add(fmt::format("probe.{}", k), scene.probes[k].name);
+  NameRegister images(source);
+  for (std::size_t k = 0; k < scene.images.size(); ++k)
+    images.add(fmt::format("image.{}", k), scene.images[k].name);
+}
+
+void check_gates(const Scene& scene, const SceneSource& source) {
+  for (std::size_t k = 0; k < scene.gates.size(); ++k) {
+    if (scene.gates[k].motion != GateMotion::Lift) continue;
+    const std::string path = fmt::format("gate.{}", k);
+    const bool speed = source.given(path + ".speed");
+    if (speed && source.given(path + ".duration")) {
+      source.fail(path + ".duration", "speed is given as well; expected one of the two");
+    }
+    if (!(scene.gates[k].speed > 0.0)) {
+      source.fail(path + ".speed", "missing; expected speed (a number above 0, in m/s) or duration (in s)");
+    }
+  }
+}
+
+void check_times(const Scene& scene, const SceneSource& source) {
+  const auto check = [&](const std::string& path, const Schedule& schedule) {
+    if (schedule.times.empty() || schedule.times.back() <= scene.end_time || !source.given(path)) return;
+    source.fail(path, fmt::format("{} s is beyond the end of the run; expected times up to end_time = {} s",
+                                  schedule.times.back(), scene.end_time));
+  };
+  check("output.times", scene.output.frames);
+  check("output.particles_times", scene.output.particles);
+  check("output.depth_times", scene.output.depth);
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    check(fmt::format("image.{}.times", k), scene.images[k].schedule);
+  }
+}
+
+void check_camera(const Camera& camera, const std::string& path, const SceneSource& source) {
+  const Vec3d view = camera.target - camera.eye;
+  if (view.norm() == 0.0) {
+    source.fail(path + ".eye", "the camera is at its own target; expected a point away from it");
+  }
+  const double scale = view.norm() * camera.up.norm();
+  if (!(view.cross(camera.up).norm() > 1e-6 * scale)) {
+    source.fail(path + ".up", write_vector(camera.up, 3),
+                "expected a direction that is not zero and not along the view from eye to target");
+  }
+}
+
+void check_images(const Scene& scene, const SceneSource& source) {
+  const std::vector<std::string> colour_maps = colour_map_names();
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    const ImageSettings& image = scene.images[k];
+    const std::string path = fmt::format("image.{}", k);
+    if (image.kind == ImageKind::DepthMap && scene.dimension == 2) {
+      source.fail(path + ".kind", "a depth map needs dimension = 3; expected \"particles\"");
+    }
+    if (image.field == "velocity_y" && scene.dimension == 2) {
+      source.fail(path + ".field", "a 2D scene has no y; expected another field");
+    }
+    if (std::find(colour_maps.begin(), colour_maps.end(), image.colour_map) == colour_maps.end()) {
+      source.fail(path + ".colour_map", write_text(image.colour_map),
+                  fmt::format("unknown colour map; expected one of {}", fmt::join(colour_maps, ", ")));
+    }
+    if (!image.camera) continue;
+    if (image.kind == ImageKind::DepthMap) {
+      source.fail(path + ".camera",
+                  "a depth map is seen from above; camera is only accepted with kind = \"particles\"");
+    }
+    check_camera(*image.camera, path + ".camera", source);
+  }
+}
+
+}  // namespace
+
+std::string solid_path(const Scene& scene, const SceneSource& source, std::size_t index) {
+  const std::size_t obstacles = source.list_size("obstacle");
+  if (index < obstacles) return fmt::format("obstacle.{}", index);
+  if (index < scene.obstacles.size()) return fmt::format("dam.{}", index - obstacles);
+  return fmt::format("gate.{}", index - scene.obstacles.size());
+}
+
+void check_settings(const Scene& scene, const SceneSource& source) {
+  if (scene.gravity.norm() == 0.0) {
+    source.fail(
+        "gravity",
+        "expected an acceleration that is not zero, for example [0.0, 0.0, -9.81] (2D: [0.0, -9.81])");
+  }
+  check_names(scene, source);
+  check_gates(scene, source);
+  check_times(scene, source);
+  check_images(scene, source);
+}
+
+}  // namespace eisph

@@ -1,0 +1,218 @@
+#include "core/error.hpp"
+#include "core/lattice.hpp"
+#include "io/scene_check.hpp"
+#include "io/schema_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+constexpr double kBytesPerParticle = 600.0;  ///< solver state of a fluid particle, its neighbours included
+constexpr double kBytesPerCell = 16.0;       ///< search grid and depth grid
+constexpr double kTolerance = 1e-6;          ///< lengths, over the particle spacing
+
+constexpr const char* kAxisNames = "xyz";
+
+/// Axes that a scene has.
+std::vector<int> axes(const Scene& scene) {
+  return scene.dimension == 2 ? std::vector<int>{0, 2} : std::vector<int>{0, 1, 2};
+}
+
+std::string domain_text(const Scene& scene) {
+  return fmt::format("the domain from {} to {}", write_vector(scene.domain_min, scene.dimension),
+                     write_vector(scene.domain_max, scene.dimension));
+}
+
+void check_domain(const Scene& scene, const SceneSource& source) {
+  for (const int axis : axes(scene)) {
+    const double extent = scene.domain_max[axis] - scene.domain_min[axis];
+    if (extent < scene.support_radius()) {
+      source.fail(
+          "domain.max",
+          fmt::format(
+              "the domain is {:.6g} m long in {}; expected at least {:.6g} m, the reach of the kernel",
+              extent, kAxisNames[axis], scene.support_radius()));
+    }
+  }
+}
+
+/// Key that tells where a shape is.
+std::string corner_key(const Shape& shape, bool upper) {
+  if (shape.kind != ShapeKind::Box) return ".centre";
+  return upper ? ".max" : ".min";
+}
+
+void check_shape(const Shape& shape, const std::string& path, const Scene& scene, const SceneSource& source) {
+  if (shape.kind == ShapeKind::Cylinder && scene.dimension == 2) {
+    source.fail(path + ".shape", "a cylinder needs dimension = 3; expected \"box\" or \"sphere\"");
+  }
+  if (shape.kind != ShapeKind::Box) return;
+  for (const int axis : axes(scene)) {
+    if (shape.min[axis] < shape.max[axis]) continue;
+    source.fail(path + ".max",
+                fmt::format("expected {} above that of min, {}", kAxisNames[axis], shape.min[axis]));
+  }
+}
+
+/// Water may cross only symmetry planes, where the mirror image completes it.
+void check_region(const FluidRegion& region, const std::string& path, const Scene& scene,
+                  const SceneSource& source) {
+  check_shape(region.shape, path, scene, source);
+  if (region.cut) return;
+  Vec3d lower;
+  Vec3d upper;
+  region.shape.bounds(lower, upper);
+  const double tolerance = kTolerance * scene.particle_spacing;
+  for (const int axis : axes(scene)) {
+    const auto crosses = [&](double beyond, int face) {
+      return beyond > tolerance && scene.faces[static_cast<std::size_t>(face)].kind != FaceKind::Symmetry;
+    };
+    const bool below = crosses(scene.domain_min[axis] - lower[axis], 2 * axis);
+    if (below || crosses(upper[axis] - scene.domain_max[axis], 2 * axis + 1)) {
+      source.fail(
+          path + corner_key(region.shape, !below),
+          fmt::format(
+              "water reaches out of the domain in {} (from {:.6g} to {:.6g} m); expected it within {}",
+              kAxisNames[axis], lower[axis], upper[axis], domain_text(scene)));
+    }
+    if (lower[axis] >= scene.domain_max[axis] || upper[axis] <= scene.domain_min[axis]) {
+      source.fail(path + corner_key(region.shape, false),
+                  fmt::format("the water is outside the domain; expected it within {}", domain_text(scene)));
+    }
+  }
+}
+
+void check_solid(const Shape& shape, const std::string& path, const Scene& scene, const SceneSource& source) {
+  check_shape(shape, path, scene, source);
+  Vec3d lower;
+  Vec3d upper;
+  shape.bounds(lower, upper);
+  for (const int axis : axes(scene)) {
+    if (lower[axis] < scene.domain_max[axis] && upper[axis] > scene.domain_min[axis]) continue;
+    source.fail(
+        path + corner_key(shape, false),
+        fmt::format("the solid is outside the domain; expected it to stand in {}", domain_text(scene)));
+  }
+}
+
+void check_instruments(const Scene& scene, const SceneSource& source) {
+  const auto inside = [&](const Vec3d& point, const std::vector<int>& checked) {
+    return std::all_of(checked.begin(), checked.end(), [&](int axis) {
+      return point[axis] >= scene.domain_min[axis] && point[axis] <= scene.domain_max[axis];
+    });
+  };
+  const std::vector<int> level = scene.dimension == 2 ? std::vector<int>{0} : std::vector<int>{0, 1};
+  for (std::size_t k = 0; k < scene.gauges.size(); ++k) {
+    const Gauge& gauge = scene.gauges[k];
+    if (inside(Vec3d(gauge.x, gauge.y, 0.0), level)) continue;
+    source.fail(fmt::format("gauge.{}.position", k),
+                fmt::format("the gauge is outside the domain; expected a place in {}", domain_text(scene)));
+  }
+  for (std::size_t k = 0; k < scene.probes.size(); ++k) {
+    if (inside(scene.probes[k].position, axes(scene))) continue;
+    source.fail(fmt::format("probe.{}.position", k),
+                fmt::format("the probe is outside the domain; expected a place in {}", domain_text(scene)));
+  }
+}
+
+std::vector<Shape> solid_shapes(const Scene& scene) {
+  std::vector<Shape> shapes;
+  for (const Obstacle& obstacle : scene.obstacles) shapes.push_back(obstacle.shape);
+  for (const Gate& gate : scene.gates) shapes.push_back(gate.shape);
+  return shapes;
+}
+
+/// Memory of the solids and grids, bytes.
+double fixed_bytes(const Scene& scene) {
+  double objects = 0.0;
+  for (const Shape& shape : solid_shapes(scene)) {
+    objects +=
+        solid_particle_estimate(shape, scene.particle_spacing, scene.support_radius(), scene.dimension);
+  }
+  const Vec3d size = scene.domain_max - scene.domain_min;
+  double cells = 1.0;
+  for (const int axis : axes(scene)) cells *= size[axis] / scene.support_radius() + 2.0;
+  const double columns = (size.x() / scene.output.depth_cell_size + 1.0) *
+                         (scene.dimension == 2 ? 1.0 : size.y() / scene.output.depth_cell_size + 1.0);
+  return kBytesPerParticle * objects + kBytesPerCell * (cells + columns);
+}
+
+/// Counts the water and holds it against the memory.
+void check_count(const Scene& scene, const SceneSource& source, double available_memory) {
+  constexpr double kGigabyte = 1e9;
+  const double fixed = fixed_bytes(scene);
+  if (fixed > available_memory) {
+    source.fail(
+        "particles.spacing",
+        fmt::format("domain and solids need {:.3g} GB of memory, {:.3g} GB are available; expected a larger "
+                    "spacing, a smaller domain or smaller solids",
+                    fixed / kGigabyte, available_memory / kGigabyte));
+  }
+  const double fitting = std::min((available_memory - fixed) / kBytesPerParticle, kMaximumFluidParticles);
+  const double bound = fluid_particle_bound(scene);
+  const bool absurd = bound > kMaximumFluidParticles;
+  const std::uint64_t count = absurd ? 0 : count_fluid_particles(scene, static_cast<std::uint64_t>(fitting));
+  if (absurd || static_cast<double>(count) > fitting) {
+    const double factor = std::pow(bound / std::max(fitting, 1.0), 1.0 / scene.dimension);
+    source.fail(
+        "particles.spacing",
+        fmt::format(
+            "about {:.3g} fluid particles need {:.3g} GB of memory, {:.3g} GB are available; expected a "
+            "spacing of {:.2g} m or more",
+            bound, bound * kBytesPerParticle / kGigabyte, available_memory / kGigabyte,
+            1.1 * factor * scene.particle_spacing));
+  }
+  if (count == 0) {
+    source.fail(
+        "fluid",
+        fmt::format("no particle lies in the water; expected regions that are larger than the spacing "
+                    "{} m, inside the domain and not cut away",
+                    scene.particle_spacing));
+  }
+}
+
+/// No particle may start inside a solid; one whose centre lies on the surface may.
+void check_overlap(const Scene& scene, const SceneSource& source) {
+  const std::vector<Shape> solids = solid_shapes(scene);
+  const double tolerance = kTolerance * scene.particle_spacing;
+  std::vector<std::uint64_t> overlaps(solids.size(), 0);
+  visit_fluid_lattice(scene, [&](const Vec3d& point, const Vec3d&) {
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+      if (solids[s].signed_distance(point, scene.dimension) < -tolerance) ++overlaps[s];
+    }
+    return true;
+  });
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    if (overlaps[s] == 0) continue;
+    source.fail(
+        solid_path(scene, source, s) + ".name",
+        fmt::format(
+            "{} fluid particles lie inside this solid; expected none: end the water at its faces or take "
+            "its shape out by a [[fluid.region]] with cut = true",
+            overlaps[s]));
+  }
+}
+
+}  // namespace
+
+void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t available_memory) {
+  check_domain(scene, source);
+  if (scene.fluid.empty()) source.fail("fluid.region", "missing; expected at least one [[fluid.region]]");
+  for (std::size_t k = 0; k < scene.fluid.size(); ++k) {
+    check_region(scene.fluid[k], fmt::format("fluid.region.{}", k), scene, source);
+  }
+  const std::vector<Shape> solids = solid_shapes(scene);
+  for (std::size_t k = 0; k < solids.size(); ++k)
+    check_solid(solids[k], solid_path(scene, source, k), scene, source);
+  check_instruments(scene, source);
+  check_count(scene, source, static_cast<double>(available_memory));
+  check_overlap(scene, source);
+}
+
+}  // namespace eisph

@@ -1,0 +1,86 @@
+#include "io/scene_defaults.hpp"
+
+#include "io/schema_value.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+constexpr double kRecordInterval = 0.01;  ///< s, of gauges and probes
+constexpr double kCellsPerSpacing = 1.5;  ///< gauge columns and depth cells over the particle spacing
+
+std::string name_of_file(const std::string& file) {
+  std::string name = std::filesystem::path(file).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char character) { return !is_name(std::string(1, character)); }, '_');
+  return name;
+}
+
+/// From the highest to the lowest water, as far as it is in the domain.
+double water_depth(const Scene& scene) {
+  double top = -std::numeric_limits<double>::infinity();
+  double bottom = std::numeric_limits<double>::infinity();
+  for (const FluidRegion& region : scene.fluid) {
+    if (region.cut) continue;
+    Vec3d lower;
+    Vec3d upper;
+    region.shape.bounds(lower, upper);
+    top = std::max(top, std::min(upper.z(), scene.domain_max.z()));
+    bottom = std::min(bottom, std::max(lower.z(), scene.domain_min.z()));
+  }
+  return std::max(0.0, top - bottom);
+}
+
+void complete_schedules(Scene& scene, const SceneSource& source) {
+  const auto given = [&](const std::string& prefix) {
+    return source.given(prefix + "times") || source.given(prefix + "interval");
+  };
+  if (!given("output.")) scene.output.frames.times = {scene.end_time};
+  if (!given("output.particles_")) scene.output.particles = scene.output.frames;
+  if (!given("output.depth_")) scene.output.depth = scene.output.frames;
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    if (!given(fmt::format("image.{}.", k))) scene.images[k].schedule = scene.output.frames;
+  }
+}
+
+void complete_images(Scene& scene, const SceneSource& source) {
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    ImageSettings& image = scene.images[k];
+    if (image.kind != ImageKind::DepthMap) continue;
+    image.field = "depth";
+    if (!source.given(fmt::format("image.{}.colour_map", k))) image.colour_map = "depth_blue";
+  }
+}
+
+}  // namespace
+
+void complete_scene(Scene& scene, const SceneSource& source) {
+  if (!source.given("name")) scene.name = name_of_file(source.file());
+  if (!source.given("title")) scene.title = scene.name;
+  if (!source.given("fluid.reference_depth")) scene.reference_depth = water_depth(scene);
+  if (scene.scheme.stepping == Stepping::Thesis) {
+    if (!source.given("scheme.source_factor")) scene.scheme.source_factor = 1.0;
+    if (!scene.scheme.volume_correction) scene.scheme.volume_correction = 0.1;
+  }
+  for (Gauge& gauge : scene.gauges) {
+    if (gauge.size == 0.0) gauge.size = kCellsPerSpacing * scene.particle_spacing;
+    if (gauge.height == 0.0) gauge.height = scene.domain_max.z() - scene.domain_min.z();
+    if (gauge.interval == 0.0) gauge.interval = kRecordInterval;
+  }
+  for (PointProbe& probe : scene.probes) {
+    if (probe.interval == 0.0) probe.interval = kRecordInterval;
+  }
+  if (scene.output.depth_cell_size == 0.0)
+    scene.output.depth_cell_size = kCellsPerSpacing * scene.particle_spacing;
+  complete_schedules(scene, source);
+  complete_images(scene, source);
+}
+
+}  // namespace eisph

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/depth_grid.hpp"
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+
+#include <cstddef>
+
+namespace eisph {
+
+/// Water depth on square cells over the floor of a scene's domain. The depth of a cell is the height above
+/// the floor (domain_min.z) of the centre of the highest fluid particle in it, zero without one; a lone drop
+/// therefore counts as depth, and a full cell reads about half a particle spacing less than the free surface.
+///
+/// The cells start at domain_min and cover the whole domain: where its length is no multiple of the cell
+/// size, the last column or row reaches beyond the wall and holds fewer particles. Particles outside the
+/// domain are left out; those on its upper faces belong to the last cell. A two-dimensional scene has one
+/// row, centred on its plane y = 0.
+class DepthGridBuilder {
+ public:
+  /// Cells of scene.output.depth_cell_size, 1.5 particle spacings if that is zero. Throws InputError if the
+  /// cell size is of no use.
+  explicit DepthGridBuilder(const Scene& scene);
+
+  [[nodiscard]] DepthGrid build(const Snapshot& snapshot) const;
+
+ private:
+  DepthGrid empty_;  ///< all dry, at t = 0
+  Vec3d lower_;
+  Vec3d upper_;
+  bool one_row_ = false;
+};
+
+}  // namespace eisph

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+
+namespace eisph {
+
+/// Sums over the fluid of one snapshot. In two dimensions all of them are per metre of width.
+struct LedgerEntry {
+  double mass = 0.0;               ///< kg
+  double kinetic_energy = 0.0;     ///< J
+  double potential_energy = 0.0;   ///< J, against gravity from scene.domain_min
+  Vec3d momentum = Vec3d::Zero();  ///< kg m/s
+  double compression_max = 0.0;    ///< largest number density - 1; zero without fluid
+  double compression_p95 = 0.0;    ///< its 95th percentile: at least 95 % of the particles have no more
+};
+
+[[nodiscard]] LedgerEntry take_ledger(const Snapshot& snapshot, const Scene& scene);
+
+}  // namespace eisph

@@ -1,0 +1,113 @@
+#include "render/os_mesa_context.hpp"
+
+#include <cstdlib>
+#include <mutex>
+#include <stdexcept>
+
+#include <dlfcn.h>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace eisph {
+
+namespace {
+
+// From GL/osmesa.h, which cannot be included beside glcorearb.h.
+constexpr int kOsMesaFormat = 0x22;
+constexpr int kOsMesaDepthBits = 0x30;
+constexpr int kOsMesaStencilBits = 0x31;
+constexpr int kOsMesaProfile = 0x33;
+constexpr int kOsMesaCoreProfile = 0x34;
+constexpr int kOsMesaContextMajorVersion = 0x36;
+constexpr int kOsMesaContextMinorVersion = 0x37;
+constexpr int kRgba = 0x1908;
+
+/// Mesa's set-up of its process-wide state is not safe against itself.
+std::mutex& creation_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace
+
+struct OsMesaContext::Library {
+  void* handle = nullptr;
+  void* (*create)(const int*, void*) = nullptr;
+  void (*destroy)(void*) = nullptr;
+  unsigned char (*make_current)(void*, void*, unsigned, int, int) = nullptr;
+  void* (*current)() = nullptr;
+  void (*(*address_of)(const char*))() = nullptr;
+
+  explicit Library(const std::filesystem::path& path)
+      // Never unmapped: LLVM inside keeps destructors that run when the program ends.
+      : handle(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+    if (handle == nullptr) {
+      throw InputError(fmt::format("{}: the software renderer cannot be opened ({}); install the Debian package "
+                                   "libosmesa6",
+                                   path.string(), dlerror()));  // NOLINT(concurrency-mt-unsafe)
+    }
+    find("OSMesaCreateContextAttribs", create);
+    find("OSMesaDestroyContext", destroy);
+    find("OSMesaMakeCurrent", make_current);
+    find("OSMesaGetCurrentContext", current);
+    find("OSMesaGetProcAddress", address_of);
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library() { dlclose(handle); }
+
+  template <class Function>
+  void find(const char* name, Function& function) {
+    function = reinterpret_cast<Function>(dlsym(handle, name));
+    if (function == nullptr) throw std::runtime_error(fmt::format("the software renderer has no {}", name));
+  }
+};
+
+void limit_software_renderer_threads() {
+  // One rasteriser thread: the caller waits while it works, so that drawing takes one core.
+  setenv("LP_NUM_THREADS", "1", 0);  // NOLINT(concurrency-mt-unsafe)
+}
+
+OsMesaContext::OsMesaContext(const std::filesystem::path& library) {
+  const std::lock_guard lock(creation_mutex());
+  limit_software_renderer_threads();
+  library_ = std::make_unique<Library>(library);
+  const std::array<int, 15> attributes = {
+      kOsMesaFormat,  kRgba,              kOsMesaDepthBits,           24, kOsMesaStencilBits,         8,
+      kOsMesaProfile, kOsMesaCoreProfile, kOsMesaContextMajorVersion, 3,  kOsMesaContextMinorVersion, 3,
+      0,              0,                  0};
+  context_ = library_->create(attributes.data(), nullptr);
+  if (context_ == nullptr) throw std::runtime_error("the software renderer gives no OpenGL 3.3 core context");
+  try {
+    make_current();
+    functions_ = load_gl_functions(
+        [this](const char* name) { return reinterpret_cast<void*>(library_->address_of(name)); });
+  } catch (...) {
+    library_->destroy(context_);
+    throw;
+  }
+}
+
+OsMesaContext::~OsMesaContext() {
+  const std::lock_guard lock(creation_mutex());
+  if (library_->current() == context_) library_->make_current(nullptr, nullptr, 0, 0, 0);
+  library_->destroy(context_);
+}
+
+void OsMesaContext::make_current() {
+  if (library_->current() == context_) return;
+  if (library_->make_current(context_, window_.data(), GL_UNSIGNED_BYTE, kWindowSize, kWindowSize) == 0) {
+    throw std::runtime_error("the software renderer's context cannot be made current");
+  }
+}
+
+std::string OsMesaContext::description() const {
+  const auto text = [this](GLenum name) { return reinterpret_cast<const char*>(functions_.GetString(name)); };
+  return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
+}
+
+std::unique_ptr<GlContext> create_offscreen_context() { return std::make_unique<OsMesaContext>(); }
+
+}  // namespace eisph

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "render/gl_context.hpp"
+
+namespace eisph {
+
+/// Mesa's software renderer drawing into memory. The library is opened at run time, since it brings GL symbols
+/// of its own that must not mix with those of a window system.
+class OsMesaContext final : public GlContext {
+ public:
+  /// Throws InputError when the library cannot be opened, std::runtime_error when it makes no context.
+  explicit OsMesaContext(const std::filesystem::path& library = "libOSMesa.so.8");
+  OsMesaContext(const OsMesaContext&) = delete;
+  OsMesaContext& operator=(const OsMesaContext&) = delete;
+  ~OsMesaContext() override;
+
+  void make_current() override;
+  [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
+  [[nodiscard]] std::string description() const override;
+
+ private:
+  struct Library;
+  static constexpr int kWindowSize = 16;  ///< of the buffer that a context must have; frames use their own
+
+  std::unique_ptr<Library> library_;
+  void* context_ = nullptr;
+  std::array<unsigned char, 4 * kWindowSize * kWindowSize> window_{};
+  GlFunctions functions_;
+};
+
+/// Bounds the threads of the software renderer, unless LP_NUM_THREADS is set already. It writes to the
+/// environment: call it before other threads start. Creating a context does it too.
+void limit_software_renderer_threads();
+
+}  // namespace eisph

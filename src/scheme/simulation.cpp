@@ -1,0 +1,16 @@
+#include "scheme/simulation.hpp"
+
+#include "core/error.hpp"
+#include "scheme/eisph_solver.hpp"
+
+namespace eisph {
+
+std::unique_ptr<Simulation> Simulation::create(const Scene& scene, int threads) {
+  if (scene.scheme.name != "eisph") {
+    throw InputError(scene.source_file + ": scheme.name = \"" + scene.scheme.name + "\": accepted is \"eisph\"");
+  }
+  if (scene.dimension == 2) return std::make_unique<EisphSolver<2>>(scene, threads);
+  return std::make_unique<EisphSolver<3>>(scene, threads);
+}
+
+}  // namespace eisph

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/scene.hpp"
+
+namespace eisph {
+
+/// Artificial viscosity as a kinematic one: nu_a = alpha_v h c0 / (2 (D + 2)), c0 = 10 sqrt(g H). m^2/s
+inline double artificial_kinematic_viscosity(const Scene& scene) {
+  const double sound_speed = 10.0 * scene.reference_speed() / std::numbers::sqrt2;
+  return scene.artificial_viscosity * scene.smoothing_length() * sound_speed / (2.0 * (scene.dimension + 2));
+}
+
+/// Largest admissible time step, s: phi dx / Umax with the larger of the reference speed and the present one,
+/// and the viscous limit 0.5 h^2 / nu (thesis (3.46)); or the fixed step of the scene.
+inline double admissible_time_step(const Scene& scene, double speed_max) {
+  if (scene.scheme.time_step_mode == TimeStepMode::Fixed) return scene.scheme.time_step;
+  const double speed = std::max(scene.reference_speed(), speed_max);
+  double step = scene.scheme.phi * scene.particle_spacing / speed;
+  const double viscosity = scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
+  const double h = scene.smoothing_length();
+  if (viscosity > 0.0) step = std::min(step, 0.5 * h * h / viscosity);
+  return step;
+}
+
+/// Factor kappa of the volume correction: as given, or min(1, 3 phi) with phi = dt Umax / dx, 0.1 with the
+/// thesis stepping.
+inline double volume_correction_factor(const Scene& scene, double time_step, double speed_max) {
+  if (scene.scheme.volume_correction) return *scene.scheme.volume_correction;
+  if (scene.scheme.stepping == Stepping::Thesis) return 0.1;
+  const double speed = std::max(scene.reference_speed(), speed_max);
+  return std::min(1.0, 3.0 * time_step * speed / scene.particle_spacing);
+}
+
+}  // namespace eisph

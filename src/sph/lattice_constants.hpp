@@ -1,0 +1,16 @@
+#pragma once
+
+namespace eisph {
+
+/// Sums over the undisturbed lattice, that normalise those of the flow.
+struct LatticeConstants {
+  double number_density = 0.0;  ///< sum V W, the particle itself included, dimensionless
+  double laplacian = 0.0;       ///< sum |A| rho0 h^2, dimensionless (2D 4.38, 3D 5.28 at h = 1.32 dx)
+  int neighbours = 0;           ///< within the support, without the particle itself
+};
+
+/// For the square or cubic lattice of given h/dx.
+template <int Dim>
+LatticeConstants lattice_constants(double smoothing_ratio);
+
+}  // namespace eisph

@@ -1,0 +1,145 @@
+#include "sph/neighbour_list.hpp"
+
+namespace eisph {
+
+namespace {
+
+constexpr std::size_t kCellsPerItem = 48;
+constexpr float kSupportSquared = 4.0F;
+
+/// Eight consecutive rows of the table to eight consecutive entries of three arrays.
+void copy_rows(const Float4* rows, float* x, float* y, float* z) {
+  static constexpr std::uint32_t kConsecutive[kPackWidth] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const PackRows columns = gather_rows(rows, kConsecutive);
+  __builtin_memcpy(x, &columns.x, sizeof(Pack));
+  __builtin_memcpy(y, &columns.y, sizeof(Pack));
+  __builtin_memcpy(z, &columns.z, sizeof(Pack));
+}
+
+Pack load(const float* values) {
+  Pack pack;
+  __builtin_memcpy(&pack, values, sizeof(Pack));
+  return pack;
+}
+
+}  // namespace
+
+template <int Dim>
+void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
+                               ThreadPool& pool) {
+  workers_.resize(static_cast<std::size_t>(pool.threads()));
+  arenas_.resize(workers_.size());
+  for (Worker& worker : workers_) worker.used = 0;
+  entries_.resize(table.first_image);
+
+  const SourceGroup& objects = groups[0];
+  const SourceGroup& fluid = groups[2];
+  pool.run_blocks(grid.cells(), kCellsPerItem, [&](std::size_t first, std::size_t last, int worker_index) {
+    Worker& worker = workers_[static_cast<std::size_t>(worker_index)];
+    for (std::size_t cell = first; cell < last; ++cell) {
+      const bool has_objects = !objects.empty && objects.start[cell] != objects.start[cell + 1];
+      const bool has_fluid = !fluid.empty && fluid.start[cell] != fluid.start[cell + 1];
+      if (!has_objects && !has_fluid) continue;
+      collect_candidates(grid, table, groups, cell, worker);
+      if (has_fluid) {
+        for (std::uint32_t k = fluid.start[cell]; k < fluid.start[cell + 1]; ++k) {
+          make_list(table, fluid.first + k, worker_index);
+        }
+      }
+      if (has_objects) {
+        for (std::uint32_t k = objects.start[cell]; k < objects.start[cell + 1]; ++k) {
+          if (worker.has_fluid) {
+            make_list(table, objects.first + k, worker_index);
+          } else {
+            entries_[objects.first + k] = 0;
+          }
+        }
+      }
+    }
+  });
+}
+
+template <int Dim>
+void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const SourceTable& table,
+                                            const Groups& groups, std::size_t cell, Worker& worker) const {
+  std::size_t count = 0;
+  worker.has_fluid = false;
+  const auto at = grid.coordinates(cell);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const SourceGroup& group = groups[g];
+    if (group.empty) continue;
+    const std::size_t before = count;
+    grid.for_neighbour_runs(at, [&](std::size_t low, std::size_t high) {
+      const std::uint32_t first = group.first + group.start[low];
+      const std::uint32_t last = group.first + group.start[high + 1];
+      if (first == last) return;
+      const std::size_t needed = count + (last - first) + 2 * kPackWidth;
+      if (needed > worker.index.size()) {
+        for (AlignedBuffer<float>* array : {&worker.x, &worker.y, &worker.z}) array->resize(2 * needed);
+        worker.index.resize(2 * needed);
+      }
+      for (std::uint32_t row = first; row < last; row += kPackWidth) {
+        copy_rows(&table.position[row], &worker.x[count], &worker.y[count], &worker.z[count]);
+        for (std::uint32_t k = 0; k < kPackWidth; ++k) worker.index[count + k] = row + k;
+        count += kPackWidth;
+      }
+      count -= (kPackWidth - (last - first) % kPackWidth) % kPackWidth;
+    });
+    if (g >= 2 && count > before) worker.has_fluid = true;
+  }
+  for (std::size_t k = count; k < count + kPackWidth; ++k) {
+    worker.x[k] = worker.y[k] = worker.z[k] = SourceTable::kFarAway;
+    worker.index[k] = SourceTable::kNothing;
+  }
+  worker.candidates = count;
+}
+
+template <int Dim>
+void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index, int worker_index) {
+  Worker& worker = workers_[static_cast<std::size_t>(worker_index)];
+  AlignedBuffer<std::uint32_t>& arena = arenas_[static_cast<std::size_t>(worker_index)];
+  const std::size_t room = worker.used + worker.candidates + 2 * kPackWidth;
+  if (room > arena.size()) arena.resize(std::max(room, worker.used + worker.used / 8 + (1U << 16)));
+
+  const Float4& at = table.position[index];
+  const Pack x = splat<Pack>(at.x);
+  const Pack y = splat<Pack>(at.y);
+  const Pack z = splat<Pack>(at.z);
+  std::uint32_t* const list = arena.data() + worker.used;
+  std::uint32_t* out = list;
+  for (std::size_t k = 0; k < worker.candidates; k += kPackWidth) {
+    const Pack dx = load(&worker.x[k]) - x;
+    const Pack dy = load(&worker.y[k]) - y;
+    Pack squared = dx * dx + dy * dy;
+    if constexpr (Dim == 3) {
+      const Pack dz = load(&worker.z[k]) - z;
+      squared += dz * dz;
+    }
+    out += append_below(squared, kSupportSquared, &worker.index[k], out);
+  }
+  const auto count = static_cast<std::size_t>(out - list);
+  const bool near_object = count > 0 && list[0] < table.first_fluid;
+  const bool wet = count > 0 && out[-1] >= table.first_fluid;
+  std::uint64_t packs = (count + kPackWidth - 1) / kPackWidth;
+  for (std::size_t k = count; k < packs * kPackWidth; ++k) list[k] = SourceTable::kNothing;
+  if (!wet) packs = 0;
+  entries_[index] = static_cast<std::uint64_t>(worker_index) << kArenaShift |
+                    static_cast<std::uint64_t>(worker.used / kPackWidth) << kOffsetShift |
+                    (wet ? kWet : 0) | (near_object ? kNearObject : 0) | packs;
+  worker.used += packs * kPackWidth;
+}
+
+template <int Dim>
+std::size_t NeighbourList<Dim>::bytes() const {
+  std::size_t sum = entries_.bytes();
+  for (const auto& arena : arenas_) sum += arena.bytes();
+  for (const Worker& worker : workers_) {
+    sum += worker.x.bytes() + worker.y.bytes() + worker.z.bytes() + worker.index.bytes();
+  }
+  return sum;
+}
+
+template class NeighbourList<2>;
+template class NeighbourList<3>;
+
+}  // namespace eisph

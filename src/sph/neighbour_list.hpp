@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/aligned_buffer.hpp"
+#include "core/thread_pool.hpp"
+#include "sph/cell_grid.hpp"
+#include "sph/source_table.hpp"
+
+namespace eisph {
+
+/// The neighbours of one particle: table indices in a fixed order, the particle itself among them, filled up
+/// with SourceTable::kNothing to a whole number of packs.
+struct Neighbours {
+  const std::uint32_t* begin = nullptr;
+  const std::uint32_t* end = nullptr;
+  bool near_object = false;  ///< an object particle or its image is among them
+};
+
+/// Neighbour lists of fluid and object particles: every table entry closer than the support radius. Found
+/// through cells; the order of a list depends only on the order of the table.
+template <int Dim>
+class NeighbourList {
+ public:
+  /// objects, object images, fluid, fluid images; lists are made for the fluid and for the objects that have
+  /// fluid within reach.
+  using Groups = std::array<SourceGroup, 4>;
+
+  void build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups, ThreadPool& pool);
+
+  /// Of particle `index` of the table, which must be a fluid or an object particle.
+  [[nodiscard]] Neighbours of(std::uint32_t index) const {
+    const std::uint64_t entry = entries_[index];
+    const std::uint32_t* arena = arenas_[entry >> kArenaShift].data();
+    const std::uint32_t* begin = arena + (entry >> kOffsetShift & kOffsetMask) * kPackWidth;
+    return {begin, begin + (entry & kCountMask) * kPackWidth, (entry & kNearObject) != 0};
+  }
+  /// Whether object particle `index` has fluid within its support.
+  [[nodiscard]] bool is_wet(std::uint32_t index) const { return (entries_[index] & kWet) != 0; }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  // An entry: which worker's arena, where in it (in packs), two flags and the length (in packs).
+  static constexpr std::uint64_t kCountMask = 0xFFFF;
+  static constexpr std::uint64_t kNearObject = 1ULL << 16;
+  static constexpr std::uint64_t kWet = 1ULL << 17;
+  static constexpr int kOffsetShift = 18;
+  static constexpr std::uint64_t kOffsetMask = (1ULL << 34) - 1;
+  static constexpr int kArenaShift = 52;
+
+  /// What one worker needs: the list storage and the candidates of the cell in hand.
+  struct Worker {
+    std::size_t used = 0;  ///< of the arena
+    AlignedBuffer<float> x, y, z;
+    AlignedBuffer<std::uint32_t> index;
+    std::size_t candidates = 0;
+    bool has_fluid = false;
+  };
+
+  void collect_candidates(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
+                          std::size_t cell, Worker& worker) const;
+  void make_list(const SourceTable& table, std::uint32_t index, int worker);
+
+  std::vector<Worker> workers_;
+  std::vector<AlignedBuffer<std::uint32_t>> arenas_;
+  AlignedBuffer<std::uint64_t> entries_;
+};
+
+}  // namespace eisph

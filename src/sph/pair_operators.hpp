@@ -1,0 +1,118 @@
+#pragma once
+
+#include "sph/cubic_spline.hpp"
+
+namespace eisph {
+
+// Sums over neighbours (method of De Castro 2019, section 3.3, and the corrections stated with each one).
+// Lengths are in units of the smoothing length: xi = x / h, so grad W = alpha/h (dW/dq)/q xi_ij and the
+// support radius is 2. Each operator adds the contribution of one neighbour (Real = float or double) or of
+// eight (Real = Pack); factors common to all neighbours (alpha, powers of h, density) are applied once per
+// particle by the caller.
+
+/// eta^2 / h^2: keeps denominators away from zero.
+inline constexpr double kEtaSquared = 1e-4;
+/// Keeps q positive for the particle itself (r = 0), whose contributions to gradients vanish.
+inline constexpr double kTinySquared = 1e-12;
+
+template <int Dim, class Real>
+struct Vector {
+  Real x[Dim];
+};
+
+/// xi_i - xi_j and what the kernel makes of it.
+template <int Dim, class Real>
+struct PairGeometry {
+  Vector<Dim, Real> offset;  ///< xi_i - xi_j
+  Real squared;              ///< q^2
+  Real q;
+  Real gradient;  ///< (dW/dq)/q / alpha, not positive; grad W = alpha/h gradient xi_ij
+};
+
+template <int Dim, class Real>
+inline PairGeometry<Dim, Real> pair_geometry(const Vector<Dim, Real>& xi_i, const Vector<Dim, Real>& xi_j) {
+  PairGeometry<Dim, Real> pair;
+  pair.squared = splat<Real>(kTinySquared);
+  for (int d = 0; d < Dim; ++d) {
+    pair.offset.x[d] = xi_i.x[d] - xi_j.x[d];
+    pair.squared += pair.offset.x[d] * pair.offset.x[d];
+  }
+  const Real inverse_q = reciprocal_sqrt(pair.squared);
+  pair.q = pair.squared * inverse_q;
+  pair.gradient = cubic_spline::derivative(pair.q) * inverse_q;
+  return pair;
+}
+
+/// gradient / (q^2 + eta^2): common to the Laplacian of pressure and the viscous term.
+template <int Dim, class Real>
+inline Real laplacian_weight(const PairGeometry<Dim, Real>& pair) {
+  return pair.gradient / (pair.squared + splat<Real>(kEtaSquared));
+}
+
+/// Sums of the pressure equation (thesis (3.34), (3.35) at constant density):
+/// A_ij = (2/rho0) V_j x_ij . grad W_ij / (r^2 + eta^2).
+template <class Real>
+struct LaplacianSums {
+  Real coefficient = splat<Real>(0.0);  ///< sum A_ij, without 2 alpha/(rho0 h^2)
+  Real pressure = splat<Real>(0.0);     ///< sum A_ij P_j, likewise, Pa
+
+  template <int Dim>
+  void add(const PairGeometry<Dim, Real>& pair, Real weight, Real volume_j, Real pressure_j) {
+    const Real a = volume_j * weight * pair.squared;
+    coefficient += a;
+    pressure += a * pressure_j;
+  }
+};
+
+/// Number density sum V_j W_ij, without alpha.
+template <class Real>
+struct DensitySum {
+  Real value = splat<Real>(0.0);
+
+  template <int Dim>
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
+    value += volume_j * cubic_spline::value(pair.q);
+  }
+};
+
+/// Viscous term after Monaghan (thesis (3.24) with the sign and eta as corrected):
+/// nu lap u = 2 (D + 2) nu sum V_j (u_ij . x_ij)/(r^2 + eta^2) grad W_ij; here without 2 (D + 2) nu alpha/h^2.
+template <int Dim, class Real>
+struct ViscousSum {
+  Vector<Dim, Real> value{};
+
+  void add(const PairGeometry<Dim, Real>& pair, Real weight, Real volume_j, const Vector<Dim, Real>& u_i,
+           const Vector<Dim, Real>& u_j) {
+    Real approach = splat<Real>(0.0);
+    for (int d = 0; d < Dim; ++d) approach += (u_i.x[d] - u_j.x[d]) * pair.offset.x[d];
+    const Real scale = volume_j * approach * weight;
+    for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
+  }
+};
+
+/// Divergence sum V_j (s_j - s_i) . grad W_ij (thesis (3.22) divided by density), without alpha/h.
+template <class Real>
+struct DivergenceSum {
+  Real value = splat<Real>(0.0);
+
+  template <int Dim>
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, const Vector<Dim, Real>& s_i,
+           const Vector<Dim, Real>& s_j) {
+    Real opening = splat<Real>(0.0);
+    for (int d = 0; d < Dim; ++d) opening += (s_j.x[d] - s_i.x[d]) * pair.offset.x[d];
+    value += volume_j * pair.gradient * opening;
+  }
+};
+
+/// Pressure gradient sum V_j (P_i + P_j) grad W_ij (thesis (3.23) at constant density), without alpha/h, Pa.
+template <int Dim, class Real>
+struct PressureGradientSum {
+  Vector<Dim, Real> value{};
+
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real pressure_i, Real pressure_j) {
+    const Real scale = volume_j * (pressure_i + pressure_j) * pair.gradient;
+    for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
+  }
+};
+
+}  // namespace eisph

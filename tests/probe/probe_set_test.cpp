@@ -1,0 +1,186 @@
+#include "probe/probe_set.hpp"
+
+#include "probe/hand_made.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <gmock/gmock.h>
+
+namespace eisph {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::IsNan;
+using testing::SizeIs;
+
+/// Keeps the rows in memory.
+class MemoryTables : public TableSink {
+ public:
+  std::size_t open_table(const TableHeader& header) override {
+    headers_.push_back(header);
+    rows_.emplace_back();
+    return headers_.size() - 1;
+  }
+  void append_row(std::size_t table, std::span<const double> row) override {
+    EXPECT_EQ(row.size(), headers_.at(table).columns.size());
+    rows_.at(table).emplace_back(row.begin(), row.end());
+  }
+
+  [[nodiscard]] const std::vector<std::vector<double>>& rows(const std::string& name) const {
+    return rows_.at(index(name));
+  }
+  [[nodiscard]] std::vector<std::string> columns(const std::string& name) const {
+    std::vector<std::string> result;
+    for (const TableColumn& column : headers_.at(index(name)).columns) {
+      result.push_back(column.name + " [" + column.unit + "]");
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::size_t index(const std::string& name) const {
+    for (std::size_t k = 0; k < headers_.size(); ++k) {
+      if (headers_[k].name == name) return k;
+    }
+    throw std::out_of_range(name);
+  }
+
+  std::vector<TableHeader> headers_;
+  std::vector<std::vector<std::vector<double>>> rows_;
+};
+
+Scene scene_with_probes(int dimension) {
+  Scene scene = hand_made_scene(dimension);
+  Gauge gauge;
+  gauge.name = "wall";
+  gauge.x = 0.05;
+  gauge.y = 0.05;
+  gauge.interval = 0.1;
+  scene.gauges.push_back(gauge);
+  PointProbe probe;
+  probe.name = "bed";
+  probe.position = Vec3d(0.05, 0.0, 0.15);
+  probe.interval = 0.25;
+  scene.probes.push_back(probe);
+  return scene;
+}
+
+TEST(ProbeSet, NamesTablesAndColumnsWithUnits) {
+  MemoryTables tables;
+  const ProbeSet probes(scene_with_probes(3), tables);
+  EXPECT_THAT(tables.columns("gauge_wall"), ElementsAre("time [s]", "level [m]"));
+  EXPECT_THAT(tables.columns("probe_bed"), ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]",
+                                                       "velocity_y [m/s]", "velocity_z [m/s]"));
+  EXPECT_THAT(tables.columns("leading_edge"), ElementsAre("time [s]", "front [m]", "bulk_front [m]"));
+  EXPECT_THAT(tables.columns("ledger"),
+              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "kinetic_energy [J]",
+                          "potential_energy [J]", "momentum_x [kg m/s]", "momentum_y [kg m/s]",
+                          "momentum_z [kg m/s]", "compression_max [-]", "compression_p95 [-]"));
+}
+
+TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
+  MemoryTables tables;
+  const ProbeSet probes(scene_with_probes(2), tables);
+  EXPECT_THAT(tables.columns("probe_bed"),
+              ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]", "velocity_z [m/s]"));
+  EXPECT_THAT(tables.columns("ledger"),
+              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]",
+                          "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]",
+                          "momentum_z [kg/s]", "compression_max [-]", "compression_p95 [-]"));
+}
+
+TEST(ProbeSet, RecordsEachProbeAtItsOwnTimesAndTheLedgerAlways) {
+  const Scene scene = scene_with_probes(3);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  const std::vector<Vec3f> water = lattice(scene, Vec3d(0.2, 0.2, 0.2));
+  for (const double time : {0.0, 0.1, 0.13, 0.2, 0.25}) probes.record(hand_made_snapshot(scene, water, time));
+  EXPECT_THAT(tables.rows("gauge_wall"),
+              ElementsAre(ElementsAre(0.0, DoubleNear(0.19, 1e-7)), ElementsAre(0.1, DoubleNear(0.19, 1e-7)),
+                          ElementsAre(0.2, DoubleNear(0.19, 1e-7))));
+  EXPECT_THAT(tables.rows("probe_bed"), SizeIs(2));
+  EXPECT_THAT(tables.rows("leading_edge"), SizeIs(5));
+  EXPECT_THAT(tables.rows("ledger"), SizeIs(5));
+}
+
+TEST(ProbeSet, VisitsEveryDueTimeWhenDrivenByNextDue) {
+  Scene scene = scene_with_probes(2);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  for (double time = 0.0; time <= 1.0 + 1e-9; time = probes.next_due(time)) {
+    probes.record(hand_made_snapshot(scene, {}, time));
+  }
+  EXPECT_THAT(tables.rows("gauge_wall"), SizeIs(11));
+  EXPECT_THAT(tables.rows("probe_bed"), SizeIs(5));
+  EXPECT_THAT(tables.rows("ledger"), SizeIs(13));  // 0.25 and 0.75 are not times of the gauge
+}
+
+TEST(ProbeSet, LeavesValuesOutWhereThePointIsDry) {
+  const Scene scene = scene_with_probes(2);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  probes.record(hand_made_snapshot(scene, {}, 0.0));
+  Snapshot wet = hand_made_snapshot(scene, lattice(scene, Vec3d(0.2, 0.0, 0.2)), 0.25);
+  wet.pressure.assign(wet.size(), 500.0F);
+  probes.record(wet);
+  EXPECT_THAT(tables.rows("probe_bed"), ElementsAre(ElementsAre(0.0, IsNan(), IsNan(), IsNan()),
+                                                    ElementsAre(0.25, DoubleNear(500.0, 1e-9), 0.0, 0.0)));
+  EXPECT_THAT(tables.rows("leading_edge").front(), ElementsAre(0.0, IsNan(), IsNan()));
+}
+
+TEST(ProbeSet, RecordsAProbeWithoutIntervalWithEverySnapshot) {
+  Scene scene = scene_with_probes(2);
+  scene.gauges.front().interval = 0.0;
+  scene.probes.clear();
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  EXPECT_TRUE(std::isinf(probes.next_due(0.0)));
+  for (const double time : {0.0, 0.017}) probes.record(hand_made_snapshot(scene, {}, time));
+  EXPECT_THAT(tables.rows("gauge_wall"), SizeIs(2));
+}
+
+TEST(ProbeSet, RecordsATimeOnceOnly) {
+  const Scene scene = scene_with_probes(2);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  for (const double time : {0.1, 0.1, 0.05}) probes.record(hand_made_snapshot(scene, {}, time));
+  EXPECT_THAT(tables.rows("gauge_wall"), SizeIs(1));
+  EXPECT_THAT(tables.rows("ledger"), SizeIs(1));
+}
+
+TEST(ProbeSet, AsksForNoSnapshotWithoutProbes) {
+  const Scene scene = hand_made_scene(3);
+  MemoryTables tables;
+  const ProbeSet probes(scene, tables);
+  EXPECT_TRUE(std::isinf(probes.next_due(0.0)));
+}
+
+TEST(ProbeSet, AddsTheTimesOfTheLedger) {
+  const Scene scene = scene_with_probes(3);
+  MemoryTables tables;
+  const ProbeSet probes(scene, tables, Schedule{{0.03}, 0.08});
+  EXPECT_DOUBLE_EQ(probes.next_due(0.0), 0.03);
+  EXPECT_DOUBLE_EQ(probes.next_due(0.03), 0.08);
+  EXPECT_DOUBLE_EQ(probes.next_due(0.08), 0.1);
+}
+
+TEST(ProbeSet, WritesTheLedgerOfTheSnapshot) {
+  const Scene scene = hand_made_scene(2);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  Snapshot snapshot = hand_made_snapshot(scene, {{0.5F, 0.0F, 0.1F}}, 0.5);
+  snapshot.particle_mass = 2.0;
+  snapshot.step = 40;
+  snapshot.velocity[0] = Vec3f(3.0F, 0.0F, -1.0F);
+  snapshot.number_density[0] = 1.25F;
+  probes.record(snapshot);
+  EXPECT_THAT(tables.rows("ledger"), ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, 10.0, DoubleNear(0.0, 1e-6),
+                                                             6.0, -2.0, 0.25, 0.25)));
+}
+
+}  // namespace
+}  // namespace eisph
