@@ -22,8 +22,7 @@ struct Publication {
 
 /// A drawn frame on its way to its file.
 struct Frame {
-  std::string image_name;
-  std::size_t index = 0;
+  std::string file_name;
   double time = 0.0;  ///< s
   Image image;
 };

@@ -25,6 +25,7 @@ std::string rate_text(double rate) {
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0.0) return "?";
   const auto whole = static_cast<long>(std::llround(seconds));
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
@@ -47,6 +48,8 @@ std::string progress_line(const ProgressState& state, std::size_t width) {
 ProgressReporter::ProgressReporter(std::ostream& out, ProgressStyle style, std::size_t width)
     : out_(out), style_(style), width_(width) {}
 
+ProgressReporter::~ProgressReporter() { end_line(); }
+
 void ProgressReporter::update(const ProgressState& state) {
   if (style_ == ProgressStyle::Quiet || state.wall_time < next_) return;
   next_ = state.wall_time + (style_ == ProgressStyle::Live ? kLiveInterval : kPlainInterval);
@@ -56,13 +59,19 @@ void ProgressReporter::update(const ProgressState& state) {
 void ProgressReporter::finish(const ProgressState& state) {
   if (style_ == ProgressStyle::Quiet) return;
   print(state);
-  if (style_ == ProgressStyle::Live) out_ << '\n' << std::flush;
+  end_line();
+}
+
+void ProgressReporter::end_line() {
+  if (line_open_) out_ << '\n' << std::flush;
+  line_open_ = false;
 }
 
 void ProgressReporter::print(const ProgressState& state) {
   if (style_ == ProgressStyle::Live) {
     // The last column stays free: some terminals wrap when it is filled.
     const std::size_t columns = width_ > 1 ? width_ - 1 : 1;
+    line_open_ = true;
     out_ << fmt::format("\r{:<{}}", progress_line(state, columns), columns) << std::flush;
   } else {
     out_ << progress_line(state, std::string::npos) << std::endl;

@@ -20,7 +20,7 @@ struct ProgressState {
 /// particle steps per second of wall clock and the time still needed.
 [[nodiscard]] std::string progress_line(const ProgressState& state, std::size_t width);
 
-/// "1 h 02 min", "3 min 20 s", "12 s".
+/// "1 h 02 min", "3 min 20 s", "12 s", "1.7 s".
 [[nodiscard]] std::string duration_text(double seconds);
 
 enum class ProgressStyle { Live, Plain, Quiet };
@@ -29,19 +29,25 @@ enum class ProgressStyle { Live, Plain, Quiet };
 class ProgressReporter {
  public:
   ProgressReporter(std::ostream& out, ProgressStyle style, std::size_t width);
+  /// Ends a live line that is still open, so that what follows has a line of its own.
+  ~ProgressReporter();
+  ProgressReporter(const ProgressReporter&) = delete;
+  ProgressReporter& operator=(const ProgressReporter&) = delete;
 
   /// Prints if enough wall time has passed since the last time.
   void update(const ProgressState& state);
-  /// Prints the last state and ends the live line.
+  /// Prints the last state.
   void finish(const ProgressState& state);
 
  private:
   void print(const ProgressState& state);
+  void end_line();
 
   std::ostream& out_;
   ProgressStyle style_;
   std::size_t width_;
   double next_ = 0.0;  ///< s of wall time
+  bool line_open_ = false;
 };
 
 /// Live on a terminal, plain elsewhere; of the standard error stream.

@@ -3,7 +3,9 @@
 #include "core/error.hpp"
 #include "io/scene_file.hpp"
 
+#include <cstdint>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <regex>
@@ -29,7 +31,7 @@ std::optional<std::string> recorded_scene_name(const RunFiles& files) {
   }
   if (!fs::is_regular_file(files.scene())) return std::nullopt;
   try {
-    return load_scene(files.scene(), {}).name;
+    return load_scene(files.scene(), {}, std::numeric_limits<std::uint64_t>::max()).name;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -45,6 +47,7 @@ const std::map<std::string, std::regex>& written_names() {
                       ending)},
       {"frames", std::regex(R"(.+_\d{4,}\.png)" + ending)},
       {"particles", std::regex(R"((particles|objects)_\d{4,}\.vtp)" + ending)},
+      {"rendered", std::regex(R"(.+_(\d{4,}|t[-+.e\d]+)\.png)" + ending)},
       {"depth", std::regex(R"(depth_\d{4,}\.vti)" + ending)},
   };
   return names;
@@ -87,13 +90,15 @@ void check_run_folder(const RunFiles& files, const std::string& scene_name) {
   if (fs::is_empty(folder)) return;
   const auto recorded = recorded_scene_name(files);
   if (!recorded) {
-    throw InputError(fmt::format("{}: is not empty and holds no run of eisph (no readable run.json or scene.toml); "
-                                 "choose another folder with --out",
-                                 folder.string()));
+    throw InputError(
+        fmt::format("{}: is not empty and holds no run of eisph (no readable run.json or scene.toml); "
+                    "choose another folder with --out",
+                    folder.string()));
   }
   if (*recorded != scene_name) {
-    throw InputError(fmt::format("{}: holds a run of the scene \"{}\", not of \"{}\"; choose another folder with --out",
-                                 folder.string(), *recorded, scene_name));
+    throw InputError(
+        fmt::format("{}: holds a run of the scene \"{}\", not of \"{}\"; choose another folder with --out",
+                    folder.string(), *recorded, scene_name));
   }
 }
 

@@ -29,8 +29,8 @@ Float4 mirror_vector(const typename MirrorPlanes<Dim>::Image& image, const Float
 }  // namespace
 
 template <int Dim>
-void MirrorParticles<Dim>::find(const MirrorPlanes<Dim>& planes, const CellGrid<Dim>& grid, const Float4* rows,
-                                std::size_t count, ThreadPool& pool) {
+void MirrorParticles<Dim>::find(const MirrorPlanes<Dim>& planes, const CellGrid<Dim>& grid,
+                                const Float4* rows, std::size_t count, ThreadPool& pool) {
   const std::size_t blocks = planes.empty() ? 0 : (count + kBlock - 1) / kBlock;
   block_count_.resize(blocks + 1);
   pool.run_blocks(blocks == 0 ? 0 : count, kBlock, [&](std::size_t first, std::size_t last, int) {
@@ -73,8 +73,7 @@ void MirrorParticles<Dim>::mirror_positions(const MirrorPlanes<Dim>& planes, con
   pool.run_blocks(images_.size(), kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t k = first; k < last; ++k) {
       const Entry& entry = images_[k];
-      out[k] =
-          mirror_position<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)), rows[entry.origin]);
+      out[k] = mirror_position<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)), rows[entry.origin]);
     }
   });
 }

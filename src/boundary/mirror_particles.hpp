@@ -1,13 +1,13 @@
 #pragma once
 
-#include <cstdint>
-
 #include "boundary/mirror_planes.hpp"
 #include "core/aligned_buffer.hpp"
 #include "core/thread_pool.hpp"
 #include "sph/cell_grid.hpp"
 #include "sph/cell_sort.hpp"
 #include "sph/source_table.hpp"
+
+#include <cstdint>
 
 namespace eisph {
 
@@ -27,8 +27,10 @@ class MirrorParticles {
   }
 
   /// Writes the images' rows from the particles': positions (w is copied), vectors (w is copied), or w alone.
-  void mirror_positions(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out, ThreadPool& pool) const;
-  void mirror_vectors(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out, ThreadPool& pool) const;
+  void mirror_positions(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out,
+                        ThreadPool& pool) const;
+  void mirror_vectors(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out,
+                      ThreadPool& pool) const;
   void mirror_pressure(const Float4* rows, Float4* out, ThreadPool& pool) const;
 
  private:

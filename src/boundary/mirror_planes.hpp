@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/pack.hpp"
+#include "core/scene.hpp"
+
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "core/pack.hpp"
-#include "core/scene.hpp"
 
 namespace eisph {
 
@@ -16,8 +16,8 @@ constexpr int scene_axis(int axis) {
 }
 
 /// The mirror images that the faces of the domain make of a particle (thesis section 3.3.2, ghost particles).
-/// One plane reflects; where two or three meet, the images of images fill the edge and the corner, so that the
-/// field continues evenly across all of them. Two parallel planes closer than a support radius also make
+/// One plane reflects; where two or three meet, the images of images fill the edge and the corner, so that
+/// the field continues evenly across all of them. Two parallel planes closer than a support radius also make
 /// images of the second order. The velocity of an image is that of the particle with the component normal to
 /// each plane negated and the tangential ones multiplied by 2 slip_factor - 1: 1 for free slip and symmetry,
 /// -1 for no slip.
@@ -26,7 +26,7 @@ class MirrorPlanes {
  public:
   /// How an image follows from its particle. Positions in smoothing lengths from the domain's lower corner.
   struct Image {
-    std::array<float, Dim> scale;     ///< xi' = scale xi + shift
+    std::array<float, Dim> scale;  ///< xi' = scale xi + shift
     std::array<float, Dim> shift;
     std::array<float, Dim> velocity;  ///< u' = velocity u, by component
   };
@@ -66,8 +66,8 @@ class MirrorPlanes {
   }
 
  private:
-  static constexpr int kOrders = 5;       ///< none, two of the first order, two of the second
-  static constexpr float kReach = 2.0F;   ///< support radius in smoothing lengths
+  static constexpr int kOrders = 5;      ///< none, two of the first order, two of the second
+  static constexpr float kReach = 2.0F;  ///< support radius in smoothing lengths
   static constexpr int kKeys = Dim == 2 ? kOrders * kOrders : kOrders * kOrders * kOrders;
 
   struct AxisImage {

@@ -1,13 +1,14 @@
 #include "boundary/solid_particles.hpp"
 
+#include "core/lattice.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/lattice.hpp"
 
 namespace eisph {
 
 SolidParticles::SolidParticles(const Scene& scene) : dimension_(scene.dimension) {
+  if (scene.boundary.object_repulsion) repulsion_ = Repulsion(scene);
   for (const Obstacle& obstacle : scene.obstacles) add(scene, obstacle.shape, nullptr);
   for (const Gate& gate : scene.gates) add(scene, gate.shape, &gate);
   list_present();
@@ -79,28 +80,39 @@ double SolidParticles::rise_speed(std::size_t k) const {
   return solids_[particles_[present_[k]].solid].rise_speed;
 }
 
+Vec3d SolidParticles::outward_normal(const Solid& solid, const Vec3d& point) const {
+  const double step = 1e-6;
+  Vec3d normal = Vec3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dimension_ == 2 && axis == 1) continue;
+    const Vec3d shift = step * Vec3d::Unit(axis);
+    normal[axis] = solid.shape.signed_distance(point + shift, dimension_) -
+                   solid.shape.signed_distance(point - shift, dimension_);
+  }
+  const double length = normal.norm();
+  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
+}
+
+void SolidParticles::add_repulsion(const Vec3d& point, Vec3d& acceleration) const {
+  for (const Solid& solid : solids_) {
+    if (!solid.present) continue;
+    const Vec3d local = point - Vec3d(0.0, 0.0, solid.lift);
+    const double distance = solid.shape.signed_distance(local, dimension_);
+    if (distance < repulsion_.cutoff) {
+      acceleration += repulsion_.capped(distance) * outward_normal(solid, local);
+    }
+  }
+}
+
 bool SolidParticles::push_out(Vec3d& point, Vec3d& normal) const {
   bool inside = false;
   for (const Solid& solid : solids_) {
     if (!solid.present) continue;
-    const Vec3d lift(0.0, 0.0, solid.lift);
-    const Vec3d local = point - lift;
+    const Vec3d local = point - Vec3d(0.0, 0.0, solid.lift);
     const double depth = -solid.shape.signed_distance(local, dimension_);
     if (depth <= 0.0) continue;
     inside = true;
-    // Gradient of the distance by differences, small against the depth to the nearest edge.
-    const double step = 1e-6;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (dimension_ == 2 && axis == 1) {
-        normal[axis] = 0.0;
-        continue;
-      }
-      const Vec3d shift = step * Vec3d::Unit(axis);
-      normal[axis] = solid.shape.signed_distance(local + shift, dimension_) -
-                     solid.shape.signed_distance(local - shift, dimension_);
-    }
-    const double length = normal.norm();
-    normal = length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
+    normal = outward_normal(solid, local);
     point += (depth * (1.0 + 1e-9) + 1e-12) * normal;
   }
   return inside;

@@ -5,13 +5,33 @@
 
 namespace eisph {
 
-template <int Dim>
-VirtualParticles<Dim>::VirtualParticles(const Scene& scene) {
+namespace {
+
+/// Nearest that anything counts, in units of the cutoff: what lies on a surface is still pushed inwards.
+constexpr double kNearest = 1e-3;
+
+}  // namespace
+
+Repulsion::Repulsion(const Scene& scene) {
   const double speed_squared = scene.reference_speed() * scene.reference_speed();
+  cutoff = scene.boundary.repulsion_cutoff * scene.particle_spacing;
+  strength = scene.boundary.repulsion_strength * speed_squared;
+  cap = scene.boundary.repulsion_cap * speed_squared / scene.particle_spacing;
+}
+
+double Repulsion::raw(double distance) const {
+  if (distance >= cutoff) return 0.0;
+  const double r = std::max(distance, kNearest * cutoff);
+  const double ratio = cutoff * cutoff / (r * r);  // (r0/r)^2
+  return strength * (ratio * ratio - ratio) / r;
+}
+
+double Repulsion::capped(double distance) const { return std::min(raw(distance), cap); }
+
+template <int Dim>
+VirtualParticles<Dim>::VirtualParticles(const Scene& scene)
+    : repulsion_(scene), form_(scene.boundary.repulsion_form) {
   spacing_ = 0.5 * scene.particle_spacing;
-  cutoff_ = scene.boundary.repulsion_cutoff * scene.particle_spacing;
-  strength_ = scene.boundary.repulsion_strength * speed_squared;
-  cap_ = scene.boundary.repulsion_cap * speed_squared / scene.particle_spacing;
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);
     extent_[d] = scene.domain_max[axis] - scene.domain_min[axis];
@@ -29,31 +49,37 @@ void VirtualParticles<Dim>::add_acceleration(const std::array<double, Dim>& posi
                                              std::array<double, Dim>& acceleration) const {
   std::array<double, Dim> push{};
   for (const Wall& wall : walls_) {
-    if ((position[wall.axis] - wall.position) * wall.inward < cutoff_) add_wall(wall, position, push);
+    const double distance = (position[wall.axis] - wall.position) * wall.inward;
+    if (distance >= repulsion_.cutoff) continue;
+    if (form_ == RepulsionForm::Even) {
+      push[wall.axis] += wall.inward * repulsion_.raw(distance);
+    } else {
+      add_lattice(wall, position, push);
+    }
   }
   double squared = 0.0;
   for (int d = 0; d < Dim; ++d) squared += push[d] * push[d];
   if (squared == 0.0) return;
-  const double scale = std::min(1.0, cap_ / std::sqrt(squared));
+  const double scale = std::min(1.0, repulsion_.cap / std::sqrt(squared));
   for (int d = 0; d < Dim; ++d) acceleration[d] += scale * push[d];
 }
 
 template <int Dim>
-void VirtualParticles<Dim>::add_wall(const Wall& wall, const std::array<double, Dim>& position,
-                                     std::array<double, Dim>& acceleration) const {
+void VirtualParticles<Dim>::add_lattice(const Wall& wall, const std::array<double, Dim>& position,
+                                        std::array<double, Dim>& acceleration) const {
+  const double cutoff = repulsion_.cutoff;
   // First node within the cutoff along each axis in the wall, and one past the last.
   std::array<long, Dim> first{};
   std::array<long, Dim> last{};
   for (int d = 0; d < Dim; ++d) {
     if (d == wall.axis) continue;
-    first[d] = std::lround(std::ceil((position[d] - cutoff_ - origin_[d]) / spacing_));
-    last[d] = std::lround(std::floor((position[d] + cutoff_ - origin_[d]) / spacing_));
+    first[d] = std::lround(std::ceil((position[d] - cutoff - origin_[d]) / spacing_));
+    last[d] = std::lround(std::floor((position[d] + cutoff - origin_[d]) / spacing_));
   }
   std::array<long, Dim> node = first;
   std::array<double, Dim> offset{};
-  // At least a thousandth of the cutoff in front of the wall: a particle on a node is still pushed inwards.
   offset[wall.axis] =
-      std::max((position[wall.axis] - wall.position) * wall.inward, 1e-3 * cutoff_) * wall.inward;
+      std::max((position[wall.axis] - wall.position) * wall.inward, kNearest * cutoff) * wall.inward;
   const int a = wall.axis == 0 ? 1 : 0;
   const int b = Dim - 1 == wall.axis ? Dim - 2 : Dim - 1;
   for (node[a] = first[a]; node[a] <= last[a]; ++node[a]) {
@@ -74,15 +100,15 @@ void VirtualParticles<Dim>::add_node(const std::array<double, Dim>& offset,
                                      std::array<double, Dim>& acceleration) const {
   double squared = 0.0;
   for (int d = 0; d < Dim; ++d) squared += offset[d] * offset[d];
-  const double ratio = cutoff_ * cutoff_ / squared;  // (r0/r)^2
-  if (ratio <= 1.0) return;
-  const double scale = strength_ * (ratio * ratio - ratio) / squared;
+  const double distance = std::sqrt(squared);
+  const double scale = repulsion_.raw(distance) / distance;
   for (int d = 0; d < Dim; ++d) acceleration[d] += scale * offset[d];
 }
 
 template <int Dim>
 std::uint64_t VirtualParticles<Dim>::count() const {
   std::uint64_t sum = 0;
+  if (form_ == RepulsionForm::Even) return sum;
   for (const Wall& wall : walls_) {
     std::uint64_t nodes = 1;
     for (int d = 0; d < Dim; ++d) {

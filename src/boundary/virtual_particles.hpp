@@ -1,20 +1,35 @@
 #pragma once
 
+#include "boundary/mirror_planes.hpp"
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "boundary/mirror_planes.hpp"
-
 namespace eisph {
 
-/// Repulsion of the virtual particles (thesis (3.40), (3.41) as corrected): a lattice of spacing dx/2 on each
-/// wall pushes a fluid particle nearer than r0 = 0.4 dx by
-///   a = c^2 [(r0/r)^4 - (r0/r)^2] x_ij / r^2,  c^2 = 2 g H,
-/// summed and then capped at repulsion_cap 2 g H / dx, so that the push moves a particle by the same fraction
-/// of dx per step at every scale. The lattice is evaluated where it is needed and never stored. It continues
-/// beyond the edges of the tank and starts from the symmetry planes where there are any, so that a half domain
-/// sees the lattice of the full one.
+/// The law of the repulsion (thesis (3.40) as corrected), m/s^2: c^2 [(r0/r)^4 - (r0/r)^2] / r for r < r0,
+/// not more than the cap.
+struct Repulsion {
+  double cutoff = 0.0;    ///< r0, m
+  double strength = 0.0;  ///< c^2 = repulsion_strength 2 g H, m^2/s^2
+  double cap = 0.0;       ///< m/s^2; in units of 2 g H / dx it is the same at every scale
+
+  Repulsion() = default;
+  explicit Repulsion(const Scene& scene);
+  /// Without the cap.
+  [[nodiscard]] double raw(double distance) const;
+  [[nodiscard]] double capped(double distance) const;
+};
+
+/// Repulsion of the virtual particles on the walls of the tank. The thesis has a lattice of spacing dx/2 on
+/// each wall (3.41), every point of which pushes along the line to it. At the cutoff of 0.4 dx only two to
+/// four points act at a time: the wall is rough (in a thin layer it brakes like friction), and a particle
+/// pressed against it between four points is held there and can pass. The even form, the default, spreads the
+/// same law over the wall: it acts by the distance to the wall, along its normal. Neither is ever stored.
+///
+/// The lattice continues beyond the edges of the tank and starts from the symmetry planes where there are
+/// any, so that a half domain sees the lattice of the full one.
 template <int Dim>
 class VirtualParticles {
  public:
@@ -24,7 +39,7 @@ class VirtualParticles {
   [[nodiscard]] bool empty() const { return walls_.empty(); }
   /// Adds the acceleration, m/s^2, at `position`, m from the domain's lower corner.
   void add_acceleration(const std::array<double, Dim>& position, std::array<double, Dim>& acceleration) const;
-  /// Number of lattice points on the walls.
+  /// Number of lattice points on the walls; none with the even form.
   [[nodiscard]] std::uint64_t count() const;
 
  private:
@@ -34,17 +49,16 @@ class VirtualParticles {
     double inward;  ///< +1 at a lower face, -1 at an upper one
   };
 
-  void add_wall(const Wall& wall, const std::array<double, Dim>& position,
-                std::array<double, Dim>& acceleration) const;
+  void add_lattice(const Wall& wall, const std::array<double, Dim>& position,
+                   std::array<double, Dim>& acceleration) const;
   void add_node(const std::array<double, Dim>& offset, std::array<double, Dim>& acceleration) const;
 
   std::vector<Wall> walls_;
   std::array<double, Dim> extent_{};
   std::array<double, Dim> origin_{};  ///< of the lattice along each axis
   double spacing_ = 0.0;
-  double cutoff_ = 0.0;
-  double strength_ = 0.0;
-  double cap_ = 0.0;
+  Repulsion repulsion_;
+  RepulsionForm form_ = RepulsionForm::Even;
 };
 
 }  // namespace eisph

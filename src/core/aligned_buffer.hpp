@@ -33,6 +33,11 @@ class AlignedBuffer {
     if (size > capacity_) grow(size + size / 8 + kSlack);
     size_ = size;
   }
+  /// Like resize, without storage to spare.
+  void resize_exactly(std::size_t size) {
+    if (size > capacity_) grow(size);
+    size_ = size;
+  }
   void fill(const T& value) { std::fill_n(data_, size_, value); }
   void swap(AlignedBuffer& other) noexcept {
     std::swap(data_, other.data_);

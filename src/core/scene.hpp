@@ -108,12 +108,20 @@ struct SchemeSettings {
   bool operator==(const SchemeSettings&) const = default;
 };
 
+/// How the virtual particles of a wall repel.
+enum class RepulsionForm {
+  Even,     ///< by the distance to the wall, along its normal
+  Lattice,  ///< one by one, as in the thesis
+};
+
 struct BoundarySettings {
   bool ghost_particles = true;
   bool virtual_particles = true;
+  RepulsionForm repulsion_form = RepulsionForm::Even;
   double repulsion_cutoff = 0.4;    ///< r0 / dx
   double repulsion_strength = 1.0;  ///< c^2 / (2 g H)
   double repulsion_cap = 5.0;       ///< largest acceleration, in units of 2 g H / dx
+  bool object_repulsion = true;     ///< surfaces of objects repel by the same law
   bool object_no_slip = true;       ///< objects take part in the viscous sum
 
   bool operator==(const BoundarySettings&) const = default;

@@ -8,8 +8,8 @@
 
 namespace eisph {
 
-/// Fixed workers for the loops of a time step. The calling thread takes part. Items are handed out one by one,
-/// so a core that is busy elsewhere (drawing, say) simply takes fewer; results must not depend on which
+/// Fixed workers for the loops of a time step. The calling thread takes part. Items are handed out one by
+/// one, so a core that is busy elsewhere (drawing, say) simply takes fewer; results must not depend on which
 /// worker treats an item. Starting a loop allocates nothing.
 class ThreadPool {
  public:

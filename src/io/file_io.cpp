@@ -2,9 +2,9 @@
 
 #include "core/error.hpp"
 
+#include <array>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -84,14 +84,19 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 }
 
 std::string read_file(const std::filesystem::path& path) {
+  const auto refuse = [&](int error) {
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), reason(error)));
+  };
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) refuse(EISDIR);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  // A folder opens, but does not read.
-  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path)) {
-    const int error = std::filesystem::is_directory(path) ? EISDIR : errno;
-    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), reason(error)));
+  if (!file.is_open()) refuse(errno);
+  std::string content;
+  std::array<char, 65536> block{};
+  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
+    content.append(block.data(), static_cast<std::size_t>(file.gcount()));
   }
+  if (file.bad()) refuse(EIO);
   return content;
 }
 

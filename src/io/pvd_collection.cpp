@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -78,11 +79,12 @@ void PvdCollection::add(double time, const std::filesystem::path& file) {
 }
 
 std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  std::istringstream text(read_file(path));
   VtkErrors errors;
   const vtkNew<vtkXMLDataParser> parser;
   errors.watch(parser);
-  const bool parsed = parser->Parse(text.data(), static_cast<unsigned>(text.size())) == 1;
+  parser->SetStream(&text);
+  const bool parsed = parser->Parse() == 1;
   if (!parsed || !errors.empty()) refuse(path, errors.text());
   vtkXMLDataElement* root = parser->GetRootElement();
   vtkXMLDataElement* collection = root == nullptr ? nullptr : root->FindNestedElementWithName("Collection");

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -143,30 +143,40 @@ double fixed_bytes(const Scene& scene) {
   return kBytesPerParticle * objects + kBytesPerCell * (cells + columns);
 }
 
+/// Memory of everything, from the bound on the particles, bytes.
+double bytes_bound(const Scene& scene) {
+  return fixed_bytes(scene) + kBytesPerParticle * fluid_particle_bound(scene);
+}
+
+/// A spacing, larger than the present one, at which the scene fits the memory.
+std::string fitting_spacing(Scene scene, const SceneSource& source, double available_memory) {
+  constexpr double kStep = 1.1;
+  for (int attempt = 0; attempt < 200; ++attempt) {
+    scene.particle_spacing *= kStep;
+    if (!source.given("output.depth_cell_size")) scene.output.depth_cell_size *= kStep;
+    if (bytes_bound(scene) <= available_memory && fluid_particle_bound(scene) <= kMaximumFluidParticles) {
+      return fmt::format("a spacing of {:.2g} m or more", 1.05 * scene.particle_spacing);
+    }
+  }
+  return "a smaller domain or larger depth_cell_size";
+}
+
 /// Counts the water and holds it against the memory.
 void check_count(const Scene& scene, const SceneSource& source, double available_memory) {
-  constexpr double kGigabyte = 1e9;
-  const double fixed = fixed_bytes(scene);
-  if (fixed > available_memory) {
-    source.fail(
-        "particles.spacing",
-        fmt::format("domain and solids need {:.3g} GB of memory, {:.3g} GB are available; expected a larger "
-                    "spacing, a smaller domain or smaller solids",
-                    fixed / kGigabyte, available_memory / kGigabyte));
-  }
-  const double fitting = std::min((available_memory - fixed) / kBytesPerParticle, kMaximumFluidParticles);
   const double bound = fluid_particle_bound(scene);
-  const bool absurd = bound > kMaximumFluidParticles;
-  const std::uint64_t count = absurd ? 0 : count_fluid_particles(scene, static_cast<std::uint64_t>(fitting));
-  if (absurd || static_cast<double>(count) > fitting) {
-    const double factor = std::pow(bound / std::max(fitting, 1.0), 1.0 / scene.dimension);
+  const double fitting = std::floor((available_memory - fixed_bytes(scene)) / kBytesPerParticle);
+  const bool hopeless = bound > kMaximumFluidParticles || fitting < 1.0;
+  const auto limit = static_cast<std::uint64_t>(std::clamp(fitting, 0.0, kMaximumFluidParticles));
+  const std::uint64_t count = hopeless ? 0 : count_fluid_particles(scene, limit);
+  if (hopeless || count > limit) {
+    constexpr double kGigabyte = 1e9;
     source.fail(
         "particles.spacing",
         fmt::format(
-            "about {:.3g} fluid particles need {:.3g} GB of memory, {:.3g} GB are available; expected a "
-            "spacing of {:.2g} m or more",
-            bound, bound * kBytesPerParticle / kGigabyte, available_memory / kGigabyte,
-            1.1 * factor * scene.particle_spacing));
+            "about {:.3g} fluid particles, the solids and the grids need {:.3g} GB of memory, {:.3g} GB "
+            "are available; expected {}",
+            bound, bytes_bound(scene) / kGigabyte, available_memory / kGigabyte,
+            fitting_spacing(scene, source, available_memory)));
   }
   if (count == 0) {
     source.fail(

@@ -209,10 +209,11 @@ KeyTable<PointProbe> probe_keys() {
 KeyTable<OutputSettings> output_keys() {
   KeyTable<OutputSettings> keys;
   add_schedule_keys(keys, "", &OutputSettings::frames, "frames of images without an own schedule",
-                    "one frame at the end time");
+                    "without both: one frame at the end time");
   add_schedule_keys(keys, "particles_", &OutputSettings::particles, "particle files (.vtp)",
-                    "as times and interval");
-  add_schedule_keys(keys, "depth_", &OutputSettings::depth, "depth grids (.vti)", "as times and interval");
+                    "without both: as times and interval");
+  add_schedule_keys(keys, "depth_", &OutputSettings::depth, "depth grids (.vti)",
+                    "without both: as times and interval");
   keys.number("depth_cell_size", "m", &OutputSettings::depth_cell_size, above(0.0), "Cell of the depth grid.")
       .fallback("1.5 dx");
   keys.choice<bool>(
@@ -272,7 +273,7 @@ KeyTable<ImageSettings> image_keys() {
   keys.boolean("draw_obstacles", &ImageSettings::draw_obstacles, "Draw obstacles, dam walls and gates.");
   keys.choice<bool>("background", &ImageSettings::dark_background, {{"light", false}, {"dark", true}},
                     "Background.");
-  add_schedule_keys(keys, "", &ImageSettings::schedule, "frames", "as in [output]");
+  add_schedule_keys(keys, "", &ImageSettings::schedule, "frames", "without both: as in [output]");
   keys.optional_section(
       "camera", &ImageSettings::camera, camera_keys(),
       "Default: the whole domain from the front and above. Only with kind = \"particles\".");

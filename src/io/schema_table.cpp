@@ -47,7 +47,7 @@ void SceneReader::fail_unknown(const std::string& path, const std::string& name,
 }
 
 void SceneWriter::header(const std::string& path, bool repeated) {
-  text += fmt::format(repeated ? "\n[[{}]]\n" : "\n[{}]\n", path);
+  text += repeated ? fmt::format("\n[[{}]]\n", path) : fmt::format("\n[{}]\n", path);
 }
 
 void SceneWriter::line(const std::string& name, const std::string& value) {
@@ -55,7 +55,7 @@ void SceneWriter::line(const std::string& name, const std::string& value) {
 }
 
 void SchemaWriter::header(const std::string& path, bool repeated, const std::string& meaning) {
-  text += wrapped(fmt::format(repeated ? "\n[[{}]]  " : "\n[{}]  ", path), meaning, 4);
+  text += wrapped(repeated ? fmt::format("\n[[{}]] ", path) : fmt::format("\n[{}] ", path), meaning, 4);
 }
 
 void SchemaWriter::key(const KeyText& key) {

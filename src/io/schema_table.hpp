@@ -18,12 +18,12 @@ namespace eisph {
 
 /// What the reference and the error messages say about a key.
 struct KeyText {
-  std::string name;
-  std::string type;  ///< as in "expected <type>", range included
-  std::string unit;
-  std::string meaning;
-  std::string fallback;   ///< the default
-  std::string condition;  ///< when the key is accepted; empty: always
+  std::string name{};
+  std::string type{};  ///< as in "expected <type>", range included
+  std::string unit{};
+  std::string meaning{};
+  std::string fallback{};   ///< the default
+  std::string condition{};  ///< when the key is accepted; empty: always
   bool required = false;
 
   /// Type, range and unit.

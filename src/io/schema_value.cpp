@@ -123,14 +123,28 @@ std::string write_vector(const Vec3d& value, int dimension) {
   return write_numbers({value.x(), value.y(), value.z()});
 }
 
-std::string node_text(const toml::node& node) {
+namespace {
+
+/// The value in one line, however long.
+std::string whole_text(const toml::node& node) {
   if (node.is_table()) return "{...}";
   if (node.is_string()) return write_text(*node.value_exact<std::string>());
+  if (node.is_floating_point()) return write_number(*node.value_exact<double>());
+  if (node.is_array()) {
+    std::vector<std::string> elements;
+    for (const toml::node& element : *node.as_array()) elements.push_back(whole_text(element));
+    return fmt::format("[{}]", fmt::join(elements, ", "));
+  }
   std::ostringstream stream;
   node.visit([&](const auto& typed) { stream << typed; });
-  std::string text = stream.str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  constexpr std::size_t kLongest = 60;
+  return stream.str();
+}
+
+}  // namespace
+
+std::string node_text(const toml::node& node) {
+  constexpr std::size_t kLongest = 80;
+  const std::string text = whole_text(node);
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
 }
 

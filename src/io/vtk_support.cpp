@@ -28,8 +28,13 @@ std::string message_of(std::string_view report) {
 }
 
 void keep_first(vtkObject* /*caller*/, unsigned long /*event*/, void* client, void* data) {
-  auto& text = *static_cast<std::string*>(client);
-  if (text.empty() && data != nullptr) text = message_of(static_cast<const char*>(data));
+  auto* text = static_cast<std::string*>(client);
+  if (text != nullptr && text->empty() && data != nullptr) *text = message_of(static_cast<const char*>(data));
+}
+
+std::string failure_of(const VtkErrors& errors, unsigned long code) {
+  if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the device";
+  return errors.empty() ? fmt::format("VTK's error {}", code) : errors.text();
 }
 
 /// Whether the file goes on to the end of its XML.
@@ -52,6 +57,7 @@ VtkErrors::VtkErrors() {
   callback_->SetClientData(&text_);
 }
 
+// The objects that were watched may outlive the text.
 VtkErrors::~VtkErrors() { callback_->SetClientData(nullptr); }
 
 void VtkErrors::watch(vtkObject* object) {
@@ -78,9 +84,8 @@ void write_atomically(vtkXMLWriter* writer, const std::filesystem::path& path) {
   writer->SetCompressorTypeToLZ4();
   const bool written = writer->Write() == 1;
   if (!written || !errors.empty() || writer->GetErrorCode() != vtkErrorCode::NoError) {
-    const std::string code = vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
     throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", path.string(), errors.empty() ? code : errors.text()));
+        fmt::format("{}: cannot be written: {}", path.string(), failure_of(errors, writer->GetErrorCode())));
   }
   atomic.commit();
 }
@@ -93,11 +98,15 @@ void read_completely(vtkXMLReader* reader, const std::filesystem::path& path) {
   VtkErrors errors;
   errors.watch_reader(reader);
   reader->SetFileName(path.c_str());
-  reader->Update();
+  try {
+    reader->Update();
+  } catch (const std::exception& error) {
+    // Out of a damaged block VTK may read any size, and ask for that much memory.
+    throw InputError(fmt::format("{}: is damaged: {}", path.string(), error.what()));
+  }
   if (!errors.empty() || reader->GetErrorCode() != vtkErrorCode::NoError) {
-    const std::string code = vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode());
     throw InputError(
-        fmt::format("{}: cannot be read: {}", path.string(), errors.empty() ? code : errors.text()));
+        fmt::format("{}: cannot be read: {}", path.string(), failure_of(errors, reader->GetErrorCode())));
   }
 }
 

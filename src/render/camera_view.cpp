@@ -1,5 +1,7 @@
 #include "render/camera_view.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,6 @@
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-
-#include "core/error.hpp"
 
 namespace eisph {
 
@@ -21,11 +21,11 @@ Eigen::Matrix4d look_at(const Camera& camera) {
   const Vec3d backward = camera.eye - camera.target;
   const Vec3d right = camera.up.cross(backward);
   if (!(backward.norm() > 0.0) || !(right.norm() > 1e-9 * camera.up.norm() * backward.norm())) {
-    throw InputError(
-        fmt::format("camera: eye ({}, {}, {}) and target ({}, {}, {}) must differ, and up ({}, {}, {}) must not lie "
-                    "along the line between them",
-                    camera.eye.x(), camera.eye.y(), camera.eye.z(), camera.target.x(), camera.target.y(),
-                    camera.target.z(), camera.up.x(), camera.up.y(), camera.up.z()));
+    throw InputError(fmt::format(
+        "camera: eye ({}, {}, {}) and target ({}, {}, {}) must differ, and up ({}, {}, {}) must not lie "
+        "along the line between them",
+        camera.eye.x(), camera.eye.y(), camera.eye.z(), camera.target.x(), camera.target.y(),
+        camera.target.z(), camera.up.x(), camera.up.y(), camera.up.z()));
   }
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
   view.block<1, 3>(0, 0) = right.normalized().transpose();
@@ -56,7 +56,8 @@ Eigen::Vector4d extent_in_picture(const Camera& camera, const Bounds& box, doubl
   Eigen::Vector4d extent(1e300, 1e300, -1e300, -1e300);
   for (int k = 0; k < 8; ++k) {
     const Eigen::Vector4d eye = view * box.corner(k).homogeneous();
-    const double scale = camera.projection == Projection::Perspective ? focal_length / -eye.z() : focal_length;
+    const double scale =
+        camera.projection == Projection::Perspective ? focal_length / -eye.z() : focal_length;
     extent.head<2>() = extent.head<2>().cwiseMin(scale * eye.head<2>());
     extent.tail<2>() = extent.tail<2>().cwiseMax(scale * eye.head<2>());
   }
@@ -82,6 +83,7 @@ CameraView::CameraView(const Camera& camera, int frame_height, int picture_width
     : perspective_(camera.projection == Projection::Perspective),
       focal_length_(focal_length_of(camera, frame_height)),
       picture_(0.5 * picture_width, 0.5 * picture_height, 0.0),
+      eye_(camera.eye),
       exact_view_(look_at(camera)) {
   const double distance = (camera.eye - camera.target).norm();
   pixels_per_metre_ = perspective_ ? focal_length_ / distance : focal_length_;
@@ -121,6 +123,14 @@ Vec3d CameraView::project(const Vec3d& point) const {
   return {picture_.x() + scale * eye.x(), picture_.y() - scale * eye.y(), -eye.z()};
 }
 
+bool CameraView::looks_from_above(double height) const {
+  return perspective_ ? eye_.z() >= height : exact_view_(2, 2) >= 0.0;
+}
+
+bool CameraView::eye_inside(const Vec3d& lower, const Vec3d& upper) const {
+  return perspective_ && (eye_.array() >= lower.array()).all() && (eye_.array() <= upper.array()).all();
+}
+
 Bounds framed_bounds(const Scene& scene) {
   double top = scene.domain_min.z() + 1.5 * scene.reference_depth;
   const auto include = [&](const Shape& shape) {
@@ -151,7 +161,9 @@ Bounds drawn_bounds(const Scene& scene) {
   };
   for (const Obstacle& obstacle : scene.obstacles) include(obstacle.shape, 0.0);
   for (const Gate& gate : scene.gates) include(gate.shape, gate.stroke);
-  return box;
+  // Particles reach beyond their centres, and a two-dimensional scene has no extent in y of its own.
+  const double reach = 2.0 * scene.particle_spacing;
+  return {box.lower.array() - reach, box.upper.array() + reach};
 }
 
 Camera default_camera(const Scene& scene, int frame_height, int picture_width, int picture_height) {
@@ -169,7 +181,8 @@ Camera default_camera(const Scene& scene, int frame_height, int picture_width, i
     const Eigen::Vector4d extent = extent_in_picture(camera, box, focal_length);
     const Eigen::Vector2d centre = 0.5 * (extent.head<2>() + extent.tail<2>()) * distance / focal_length;
     const Eigen::Matrix4d view = look_at(camera);
-    camera.target += centre.x() * view.block<1, 3>(0, 0).transpose() + centre.y() * view.block<1, 3>(1, 0).transpose();
+    camera.target +=
+        centre.x() * view.block<1, 3>(0, 0).transpose() + centre.y() * view.block<1, 3>(1, 0).transpose();
     distance *= std::max((extent[2] - extent[0]) / (kFilling * picture_width),
                          (extent[3] - extent[1]) / (kFilling * picture_height));
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "core/scene.hpp"
+
+#include <Eigen/Core>
 
 namespace eisph {
 
@@ -23,8 +23,8 @@ struct Bounds {
 /// and orthographic height mean what the scene file says whatever the captions take.
 class CameraView {
  public:
-  /// Sizes in pixels; `visible` is what must not be cut off in depth. Throws InputError for a camera that looks
-  /// nowhere.
+  /// Sizes in pixels; `visible` is what must not be cut off in depth. Throws InputError for a camera that
+  /// looks nowhere.
   CameraView(const Camera& camera, int frame_height, int picture_width, int picture_height,
              const Bounds& visible);
 
@@ -38,23 +38,29 @@ class CameraView {
   /// Pixel position in the picture (x right, y down, from its upper left corner) and distance along the view
   /// axis in metres, which is negative behind the eye.
   [[nodiscard]] Vec3d project(const Vec3d& point) const;
+  /// Whether a horizontal plane at `height` (m) shows its upper side, or its edge.
+  [[nodiscard]] bool looks_from_above(double height) const;
+  /// Whether a perspective view is from inside the box.
+  [[nodiscard]] bool eye_inside(const Vec3d& lower, const Vec3d& upper) const;
 
  private:
   bool perspective_ = true;
   double focal_length_ = 0.0;
   double pixels_per_metre_ = 0.0;
   Vec3d picture_ = Vec3d::Zero();  ///< half size, pixels
+  Vec3d eye_ = Vec3d::Zero();
   Eigen::Matrix4d exact_view_;
   Eigen::Matrix4f view_;
   Eigen::Matrix4f projection_;
 };
 
-/// What a picture of the scene should show: the footprint of the domain, up to one and a half reference depths
-/// or the highest solid or water, whichever is more, but not above the domain.
+/// What a picture of the scene should show: the footprint of the domain, up to one and a half reference
+/// depths or the highest solid or water, whichever is more, but not above the domain.
 [[nodiscard]] Bounds framed_bounds(const Scene& scene);
 /// The domain and all solids: nothing beyond is drawn.
 [[nodiscard]] Bounds drawn_bounds(const Scene& scene);
 /// Camera that shows framed_bounds: from the front, side and above, or the front for two dimensions.
-[[nodiscard]] Camera default_camera(const Scene& scene, int frame_height, int picture_width, int picture_height);
+[[nodiscard]] Camera default_camera(const Scene& scene, int frame_height, int picture_width,
+                                    int picture_height);
 
 }  // namespace eisph

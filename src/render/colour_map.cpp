@@ -1,5 +1,8 @@
 #include "render/colour_map.hpp"
 
+#include "core/assets.hpp"
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,9 +12,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "core/assets.hpp"
-#include "core/error.hpp"
 
 namespace eisph {
 
@@ -29,8 +29,8 @@ std::vector<std::string> known_maps(const std::filesystem::path& folder) {
 
 bool parse_row(const std::string& line, Colour& colour) {
   char rest = 0;
-  const int fields =
-      std::sscanf(line.c_str(), " %f , %f , %f %c", &colour.red, &colour.green, &colour.blue, &rest);  // NOLINT
+  const int fields = std::sscanf(line.c_str(), " %f , %f , %f %c", &colour.red, &colour.green, &colour.blue,
+                                 &rest);  // NOLINT
   const auto valid = [](float channel) { return channel >= 0.0F && channel <= 1.0F; };
   return fields == 3 && valid(colour.red) && valid(colour.green) && valid(colour.blue);
 }
@@ -42,8 +42,8 @@ ColourMap ColourMap::load(const std::string& name) {
   const std::filesystem::path path = folder / (name + ".csv");
   const bool plain_name = name.find('/') == std::string::npos && !name.empty();
   if (!plain_name || !std::filesystem::exists(path)) {
-    throw InputError(fmt::format("colour_map = \"{}\": no such table in {}; accepted: {}", name, folder.string(),
-                                 fmt::join(known_maps(folder), ", ")));
+    throw InputError(fmt::format("colour_map = \"{}\": no such table in {}; accepted: {}", name,
+                                 folder.string(), fmt::join(known_maps(folder), ", ")));
   }
   return read(path);
 }
@@ -65,7 +65,8 @@ ColourMap ColourMap::read(const std::filesystem::path& path) {
     if (rows < kSize) table[static_cast<std::size_t>(rows)] = colour;
     ++rows;
   }
-  if (rows != kSize) throw InputError(fmt::format("{}: {} colours, {} are expected", path.string(), rows, kSize));
+  if (rows != kSize)
+    throw InputError(fmt::format("{}: {} colours, {} are expected", path.string(), rows, kSize));
   return ColourMap(table);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/colour.hpp"
+
 #include <array>
 #include <filesystem>
 #include <string>
-
-#include "render/colour.hpp"
 
 namespace eisph {
 
@@ -14,7 +14,8 @@ class ColourMap {
   static constexpr int kSize = 256;
   using Table = std::array<Colour, kSize>;
 
-  /// Reads assets/colour_maps/<name>.csv of the home folder. Throws InputError, which lists the maps there are.
+  /// Reads assets/colour_maps/<name>.csv of the home folder. Throws InputError, which lists the maps there
+  /// are.
   static ColourMap load(const std::string& name);
   /// Reads a file of 256 rows red,green,blue (0 to 1); lines starting with # are comments. Throws InputError.
   static ColourMap read(const std::filesystem::path& path);

@@ -58,7 +58,8 @@ void paste(Image& image, const Image& source, int x, int y) {
   const int last = std::min(source.width, image.width - x);
   if (first >= last) return;
   for (int row = std::max(0, -y); row < std::min(source.height, image.height - y); ++row) {
-    std::copy(source.pixel(first, row), source.pixel(first, row) + 3 * static_cast<std::ptrdiff_t>(last - first),
+    std::copy(source.pixel(first, row),
+              source.pixel(first, row) + 3 * static_cast<std::ptrdiff_t>(last - first),
               image.pixel(x + first, y + row));
   }
 }

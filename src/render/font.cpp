@@ -1,5 +1,8 @@
 #include "render/font.hpp"
 
+#include "core/error.hpp"
+#include "render/drawing.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +13,6 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-
-#include "core/error.hpp"
-#include "render/drawing.hpp"
 
 namespace eisph {
 
@@ -25,7 +25,9 @@ constexpr std::string_view kEllipsis = "\u2026";
 
 /// Takes the next code point off the front of `text`; a broken sequence gives U+FFFD.
 std::uint32_t next_code_point(std::string_view& text) {
-  const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
+  const auto byte = [&](std::size_t k) {
+    return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k]));
+  };
   const std::uint32_t first = byte(0);
   std::size_t length = 1;
   std::uint32_t value = first;
@@ -66,7 +68,6 @@ Font::Font(const std::vector<unsigned char>& typeface, int height)
   config.OversampleH = 1;
   config.OversampleV = 1;
   config.PixelSnapH = true;
-  config.FallbackChar = '?';
   atlas_->Flags |= ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
   // ImGui reads the data only, but takes it without const.
   font_ = atlas_->AddFontFromMemoryTTF(const_cast<unsigned char*>(typeface.data()),
@@ -127,9 +128,10 @@ Typeface::Typeface(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   data_.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   if (data_.empty()) {
-    throw InputError(fmt::format("{}: the font for frames cannot be read; install the Debian package "
-                                 "fonts-dejavu-core",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: the font for frames cannot be read; install the Debian package "
+                    "fonts-dejavu-core",
+                    file.string()));
   }
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "render/colour.hpp"
+#include "render/image.hpp"
+
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "render/colour.hpp"
-#include "render/image.hpp"
 
 struct ImFont;
 struct ImFontAtlas;
@@ -26,7 +26,8 @@ class Font {
 
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int width(std::string_view text) const;
-  /// The text, or as much of it as fits into `width` with an ellipsis at the end; empty if not even that fits.
+  /// The text, or as much of it as fits into `width` with an ellipsis at the end; empty if not even that
+  /// fits.
   [[nodiscard]] std::string shortened(std::string_view text, int width) const;
   /// (x, y) is the upper left corner of the line.
   void draw(Image& image, int x, int y, std::string_view text, const Colour& colour) const;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "render/gl_functions.hpp"
+
 #include <memory>
 #include <string>
-
-#include "render/gl_functions.hpp"
 
 namespace eisph {
 

@@ -8,7 +8,7 @@ namespace eisph {
 
 GlFunctions load_gl_functions(const std::function<void*(const char*)>& address_of) {
   GlFunctions gl;
-#define EISPH_GL_LOAD(name, type)                            \
+#define EISPH_GL_LOAD(name, type)                           \
   gl.name = reinterpret_cast<type>(address_of("gl" #name)); \
   if (gl.name == nullptr) throw std::runtime_error("the OpenGL driver has no function gl" #name);
   EISPH_GL_FUNCTIONS(EISPH_GL_LOAD)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <utility>
-
 #include "render/gl_functions.hpp"
+
+#include <utility>
 
 namespace eisph {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/colour.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "render/colour.hpp"
 
 namespace eisph {
 

@@ -28,8 +28,8 @@ OffscreenTarget::OffscreenTarget(const GlFunctions& gl, int width, int height)
   GLint largest = 0;
   gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (width > largest || height > largest) {
-    throw std::runtime_error(
-        fmt::format("an image of {} x {} samples is over the {} that the driver draws", width, height, largest));
+    throw std::runtime_error(fmt::format("an image of {} x {} samples is over the {} that the driver draws",
+                                         width, height, largest));
   }
   allocate_texture(gl, colour_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
   allocate_texture(gl, depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
@@ -37,7 +37,8 @@ OffscreenTarget::OffscreenTarget(const GlFunctions& gl, int width, int height)
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error(fmt::format("the driver provides no framebuffer of {} x {} samples", width, height));
+    throw std::runtime_error(
+        fmt::format("the driver provides no framebuffer of {} x {} samples", width, height));
   }
 }
 

@@ -1,14 +1,13 @@
 #include "render/os_mesa_context.hpp"
 
+#include "core/error.hpp"
+
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 
 #include <dlfcn.h>
-
 #include <fmt/format.h>
-
-#include "core/error.hpp"
 
 namespace eisph {
 
@@ -44,9 +43,10 @@ struct OsMesaContext::Library {
       // Never unmapped: LLVM inside keeps destructors that run when the program ends.
       : handle(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
     if (handle == nullptr) {
-      throw InputError(fmt::format("{}: the software renderer cannot be opened ({}); install the Debian package "
-                                   "libosmesa6",
-                                   path.string(), dlerror()));  // NOLINT(concurrency-mt-unsafe)
+      throw InputError(
+          fmt::format("{}: the software renderer cannot be opened ({}); install the Debian package "
+                      "libosmesa6",
+                      path.string(), dlerror()));  // NOLINT(concurrency-mt-unsafe)
     }
     find("OSMesaCreateContextAttribs", create);
     find("OSMesaDestroyContext", destroy);
@@ -74,10 +74,21 @@ OsMesaContext::OsMesaContext(const std::filesystem::path& library) {
   const std::lock_guard lock(creation_mutex());
   limit_software_renderer_threads();
   library_ = std::make_unique<Library>(library);
-  const std::array<int, 15> attributes = {
-      kOsMesaFormat,  kRgba,              kOsMesaDepthBits,           24, kOsMesaStencilBits,         8,
-      kOsMesaProfile, kOsMesaCoreProfile, kOsMesaContextMajorVersion, 3,  kOsMesaContextMinorVersion, 3,
-      0,              0,                  0};
+  const std::array<int, 15> attributes = {kOsMesaFormat,
+                                          kRgba,
+                                          kOsMesaDepthBits,
+                                          24,
+                                          kOsMesaStencilBits,
+                                          8,
+                                          kOsMesaProfile,
+                                          kOsMesaCoreProfile,
+                                          kOsMesaContextMajorVersion,
+                                          3,
+                                          kOsMesaContextMinorVersion,
+                                          3,
+                                          0,
+                                          0,
+                                          0};
   context_ = library_->create(attributes.data(), nullptr);
   if (context_ == nullptr) throw std::runtime_error("the software renderer gives no OpenGL 3.3 core context");
   try {

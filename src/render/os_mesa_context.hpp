@@ -1,16 +1,16 @@
 #pragma once
 
+#include "render/gl_context.hpp"
+
 #include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
 
-#include "render/gl_context.hpp"
-
 namespace eisph {
 
-/// Mesa's software renderer drawing into memory. The library is opened at run time, since it brings GL symbols
-/// of its own that must not mix with those of a window system.
+/// Mesa's software renderer drawing into memory. The library is opened at run time, since it brings GL
+/// symbols of its own that must not mix with those of a window system.
 class OsMesaContext final : public GlContext {
  public:
   /// Throws InputError when the library cannot be opened, std::runtime_error when it makes no context.

@@ -50,8 +50,9 @@ class PngWriter {
   bool write(std::FILE* file, const Image& image, png_text* text, int text_count) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_init_io(png_, file);
-    png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png_, 1);
     png_set_compression_strategy(png_, Z_RLE);
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
@@ -117,7 +118,8 @@ class PngReader {
 std::vector<png_text> as_chunks(const std::filesystem::path& path, const PngText& text) {
   std::vector<png_text> chunks;
   for (const auto& [key, value] : text) {
-    if (key.empty() || key.size() > 79) fail(path, fmt::format("text keyword '{}' has not 1 to 79 characters", key));
+    if (key.empty() || key.size() > 79)
+      fail(path, fmt::format("text keyword '{}' has not 1 to 79 characters", key));
     const bool ascii = std::all_of(value.begin(), value.end(), [](unsigned char c) { return c < 0x80; });
     png_text chunk{};
     chunk.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
@@ -133,7 +135,8 @@ std::vector<png_text> as_chunks(const std::filesystem::path& path, const PngText
 /// Removes the file unless it was moved to its final name.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(std::filesystem::path final_path) : final_path_(std::move(final_path)), path_(final_path_) {
+  explicit TemporaryFile(std::filesystem::path final_path)
+      : final_path_(std::move(final_path)), path_(final_path_) {
     path_ += ".part";
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -163,8 +166,8 @@ std::string reason() { return std::generic_category().message(errno); }
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
   if (image.width <= 0 || image.height <= 0 ||
       image.rgb.size() != 3 * static_cast<std::size_t>(image.width) * image.height) {
-    fail(path, fmt::format("an image of {} x {} pixels with {} bytes cannot be written", image.width, image.height,
-                           image.rgb.size()));
+    fail(path, fmt::format("an image of {} x {} pixels with {} bytes cannot be written", image.width,
+                           image.height, image.rgb.size()));
   }
   std::vector<png_text> chunks = as_chunks(path, text);
   TemporaryFile temporary(path);

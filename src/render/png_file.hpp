@@ -1,11 +1,11 @@
 #pragma once
 
+#include "render/image.hpp"
+
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "render/image.hpp"
 
 namespace eisph {
 

@@ -1,11 +1,11 @@
 #include "render/shader_program.hpp"
 
+#include "core/error.hpp"
+
 #include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
-
-#include "core/error.hpp"
 
 namespace eisph {
 
@@ -57,7 +57,8 @@ class Shader {
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name)
+ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder,
+                             const std::string& name)
     : gl_(gl) {
   const Shader vertex(gl, GL_VERTEX_SHADER, folder / (name + ".vert"));
   const Shader fragment(gl, GL_FRAGMENT_SHADER, folder / (name + ".frag"));
@@ -73,7 +74,8 @@ ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::filesystem::path&
   std::string log(static_cast<std::size_t>(length), '\0');
   gl.GetProgramInfoLog(program_, length, nullptr, log.data());
   gl.DeleteProgram(program_);
-  throw InputError(fmt::format("{}: {}.vert and {}.frag do not link:\n{}", folder.string(), name, name, log.c_str()));
+  throw InputError(
+      fmt::format("{}: {}.vert and {}.frag do not link:\n{}", folder.string(), name, name, log.c_str()));
 }
 
 ShaderProgram::~ShaderProgram() { gl_.DeleteProgram(program_); }

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "render/colour.hpp"
+#include "render/gl_functions.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "render/colour.hpp"
-#include "render/gl_functions.hpp"
 
 namespace eisph {
 

@@ -90,9 +90,14 @@ void add_sphere(SolidMesh& mesh, const Vec3d& centre, double radius) {
 void add_shape(SolidMesh& mesh, const Shape& shape, double lift, int dimension, double thickness) {
   const Vec3d raise(0.0, 0.0, lift);
   switch (shape.kind) {
-    case ShapeKind::Cylinder: add_cylinder(mesh, shape.centre + raise, shape.radius, shape.height); return;
-    case ShapeKind::Sphere: add_sphere(mesh, shape.centre + raise, shape.radius); return;
-    case ShapeKind::Box: break;
+    case ShapeKind::Cylinder:
+      add_cylinder(mesh, shape.centre + raise, shape.radius, shape.height);
+      return;
+    case ShapeKind::Sphere:
+      add_sphere(mesh, shape.centre + raise, shape.radius);
+      return;
+    case ShapeKind::Box:
+      break;
   }
   Vec3d lower = shape.min + raise;
   Vec3d upper = shape.max + raise;
@@ -128,7 +133,9 @@ SolidMesh gate_mesh(const Scene& scene, double time) {
 std::vector<std::array<Vec3f, 2>> wall_edges(const Scene& scene, double top) {
   const Vec3d& lower = scene.domain_min;
   const Vec3d& upper = scene.domain_max;
-  const auto is_wall = [&](int face) { return scene.faces[static_cast<std::size_t>(face)].kind == FaceKind::Wall; };
+  const auto is_wall = [&](int face) {
+    return scene.faces[static_cast<std::size_t>(face)].kind == FaceKind::Wall;
+  };
   SolidMesh mesh;
   const auto add_side = [&](double x0, double y0, double x1, double y1) {
     add_edge(mesh, {x0, y0, lower.z()}, {x1, y1, lower.z()});
@@ -153,7 +160,9 @@ std::vector<std::array<Vec3f, 2>> floor_grid(const Scene& scene, double spacing)
   const Vec3d& lower = scene.domain_min;
   const Vec3d& upper = scene.domain_max;
   SolidMesh mesh;
-  const auto count = [&](int axis) { return static_cast<int>((upper[axis] - lower[axis]) / spacing * (1.0 - 1e-9)); };
+  const auto count = [&](int axis) {
+    return static_cast<int>((upper[axis] - lower[axis]) / spacing * (1.0 - 1e-9));
+  };
   for (int k = 1; k <= count(0); ++k) {
     const double x = lower.x() + k * spacing;
     add_edge(mesh, {x, lower.y(), lower.z()}, {x, upper.y(), lower.z()});

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/scene.hpp"
+
 #include <array>
 #include <vector>
-
-#include "core/scene.hpp"
 
 namespace eisph {
 
@@ -13,7 +13,7 @@ struct SolidMesh {
     Vec3f position;
     Vec3f normal;
   };
-  std::vector<Vertex> triangles;             ///< three to a triangle
+  std::vector<Vertex> triangles;  ///< three to a triangle
   std::vector<std::array<Vec3f, 2>> edges;
 };
 

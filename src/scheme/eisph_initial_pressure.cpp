@@ -1,7 +1,7 @@
+#include "scheme/eisph_solver.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "scheme/eisph_solver.hpp"
 
 namespace eisph {
 
@@ -35,7 +35,8 @@ void EisphSolver<Dim>::solve_initial_pressure() {
   fluid_images_.mirror_vectors(planes_, fluid_rows(table_.source), table_.source.data() + table_.first_image,
                                pool_);
   const auto row_of = [&](std::size_t k) {
-    return static_cast<std::uint32_t>(k < fluid_ ? table_.first_fluid + k : table_.first_object + (k - fluid_));
+    return static_cast<std::uint32_t>(k < fluid_ ? table_.first_fluid + k
+                                                 : table_.first_object + (k - fluid_));
   };
   std::vector<double> weight(unknowns, 0.0);
   std::vector<double> diagonal(unknowns, 0.0);

@@ -1,12 +1,12 @@
-#include <fmt/format.h>
+#include "core/error.hpp"
+#include "scheme/eisph_solver.hpp"
+#include "scheme/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
-#include "scheme/eisph_solver.hpp"
-#include "scheme/time_step.hpp"
+#include <fmt/format.h>
 
 namespace eisph {
 
@@ -112,7 +112,8 @@ void EisphSolver<Dim>::throw_blow_up(std::uint32_t row) const {
   }
   const Vec3d place = scene_.domain_min + scene_vector(at);
   throw BlowUpError(fmt::format(
-      "the run blew up at t = {:.6g} s, step {} (time step {:.4g} s): particle {} at ({:.5g}, {:.5g}, {:.5g}) m "
+      "the run blew up at t = {:.6g} s, step {} (time step {:.4g} s): particle {} at ({:.5g}, {:.5g}, "
+      "{:.5g}) m "
       "has velocity ({}) m/s; speeds up to {:.4g} m/s are taken as physical. A smaller time step "
       "(scheme.phi or scheme.time_step) is the usual cure.",
       time_, steps_ + 1, time_step_, id_[row], place.x(), place.y(), place.z(), velocity, speed_limit_));

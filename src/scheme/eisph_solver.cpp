@@ -1,12 +1,12 @@
 #include "scheme/eisph_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/error.hpp"
 #include "core/lattice.hpp"
 #include "scheme/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace eisph {
 
@@ -62,7 +62,8 @@ void EisphSolver<Dim>::place_particles() {
     fastest = std::max(fastest, lattice.velocity[i].norm());
   }
   speed_max_ = fastest;
-  const double fall = std::sqrt(2.0 * scene_.gravity.norm() * (scene_.domain_max - scene_.domain_min).maxCoeff());
+  const double fall =
+      std::sqrt(2.0 * scene_.gravity.norm() * (scene_.domain_max - scene_.domain_min).maxCoeff());
   speed_limit_ = kSpeedLimitFactor * std::max({scene_.reference_speed(), fall, fastest});
   for (AlignedBuffer<float>* array : {&number_density_, &coefficient_, &total_pressure_}) {
     array->resize(fluid_);
@@ -95,9 +96,14 @@ void EisphSolver<Dim>::initialise() {
   relax_pressure(1.0);
   pressure_.fill(0.0F);
   switch (scene_.scheme.initial_pressure) {
-    case InitialPressure::Solve: solve_initial_pressure(); break;
-    case InitialPressure::Hydrostatic: set_hydrostatic_pressure(); break;
-    case InitialPressure::Zero: break;
+    case InitialPressure::Solve:
+      solve_initial_pressure();
+      break;
+    case InitialPressure::Hydrostatic:
+      set_hydrostatic_pressure();
+      break;
+    case InitialPressure::Zero:
+      break;
   }
   for (std::uint32_t i = 0; i < fluid_; ++i) total_pressure_[i] = pressure_[i];
   compression_max_ = 0.0;

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "boundary/mirror_particles.hpp"
 #include "boundary/mirror_planes.hpp"
 #include "boundary/solid_particles.hpp"
@@ -14,6 +10,10 @@
 #include "sph/lattice_constants.hpp"
 #include "sph/neighbour_list.hpp"
 #include "sph/pair_operators.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace eisph {
 
@@ -111,11 +111,11 @@ class EisphSolver final : public Simulation {
   SolidParticles solids_;
 
   // Constants of the run.
-  double h_ = 0.0;             ///< smoothing length, m
-  double alpha_ = 0.0;         ///< kernel normalisation, m^-Dim
-  double volume_ = 0.0;        ///< of a fluid particle
-  double viscosity_ = 0.0;     ///< laminar and artificial, m^2/s
-  double speed_limit_ = 0.0;   ///< beyond it the run has blown up, m/s
+  double h_ = 0.0;            ///< smoothing length, m
+  double alpha_ = 0.0;        ///< kernel normalisation, m^-Dim
+  double volume_ = 0.0;       ///< of a fluid particle
+  double viscosity_ = 0.0;    ///< laminar and artificial, m^2/s
+  double speed_limit_ = 0.0;  ///< beyond it the run has blown up, m/s
   std::array<double, Dim> gravity_{};
   std::array<double, Dim> extent_{};
 

@@ -1,9 +1,9 @@
-#include <algorithm>
-#include <cmath>
-
 #include "scheme/eisph_solver.hpp"
 #include "scheme/time_step.hpp"
 #include "sph/pair_operators.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace eisph {
 
@@ -52,6 +52,13 @@ void EisphSolver<Dim>::accelerate(double time_step) {
         for (int d = 0; d < Dim; ++d) at[d] = position_[d][i];
         virtual_particles_.add_acceleration(at, acceleration);
       }
+      if (neighbours_.of(row).near_object) {
+        std::array<double, Dim> at;
+        for (int d = 0; d < Dim; ++d) at[d] = position_[d][i];
+        Vec3d push = Vec3d::Zero();
+        solids_.add_repulsion(scene_.domain_min + scene_vector(at), push);
+        for (int d = 0; d < Dim; ++d) acceleration[d] += push[scene_axis<Dim>(d)];
+      }
       const float* u = &table_.velocity[row].x;
       Float4 source{};
       for (int d = 0; d < Dim; ++d) {
@@ -73,8 +80,7 @@ Vector<Dim, double> EisphSolver<Dim>::viscous_acceleration(std::uint32_t row) co
   ViscousSum<Dim, Pack> sum;
   for (const std::uint32_t* j = near.begin; j != near.end; j += kPackWidth) {
     const PackRows velocities = gather_rows(table_.velocity.data(), j);
-    const auto pair =
-        pair_geometry<Dim, Pack>(xi, components<Dim>(gather_rows(table_.position.data(), j)));
+    const auto pair = pair_geometry<Dim, Pack>(xi, components<Dim>(gather_rows(table_.position.data(), j)));
     sum.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
   }
   const double factor = 2.0 * (Dim + 2) * viscosity_ * alpha_ / (h_ * h_);

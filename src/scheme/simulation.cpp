@@ -7,7 +7,8 @@ namespace eisph {
 
 std::unique_ptr<Simulation> Simulation::create(const Scene& scene, int threads) {
   if (scene.scheme.name != "eisph") {
-    throw InputError(scene.source_file + ": scheme.name = \"" + scene.scheme.name + "\": accepted is \"eisph\"");
+    throw InputError(scene.source_file + ": scheme.name = \"" + scene.scheme.name +
+                     "\": accepted is \"eisph\"");
   }
   if (scene.dimension == 2) return std::make_unique<EisphSolver<2>>(scene, threads);
   return std::make_unique<EisphSolver<3>>(scene, threads);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-
 #include "core/run_summary.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
+
+#include <cstdint>
+#include <memory>
 
 namespace eisph {
 

@@ -10,11 +10,11 @@ namespace eisph {
 /// Stages of a step, in order.
 enum class Stage : std::size_t {
   Sort,
-  Boundaries,       ///< mirror images, object particles
+  Boundaries,  ///< mirror images, object particles
   NeighbourSearch,
-  Acceleration,     ///< viscosity, gravity, repulsion
-  Pressure,         ///< density, divergence, sweep, volume correction
-  Gradient,         ///< pressure gradient and the update of velocity and position
+  Acceleration,  ///< viscosity, gravity, repulsion
+  Pressure,      ///< density, divergence, sweep, volume correction
+  Gradient,      ///< pressure gradient and the update of velocity and position
   Diagnostics,
   Count
 };
@@ -29,7 +29,8 @@ class StageClock {
   /// Ends the running stage and begins another.
   void start(Stage stage) {
     const auto now = Clock::now();
-    if (running_) seconds_[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
+    if (running_)
+      seconds_[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
     stage_ = stage;
     since_ = now;
     running_ = true;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "core/scene.hpp"
 
 namespace eisph {
 

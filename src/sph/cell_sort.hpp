@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "core/aligned_buffer.hpp"
 #include "core/thread_pool.hpp"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace eisph {
 

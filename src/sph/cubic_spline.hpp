@@ -1,8 +1,8 @@
 #pragma once
 
-#include <numbers>
-
 #include "core/pack.hpp"
+
+#include <numbers>
 
 namespace eisph {
 

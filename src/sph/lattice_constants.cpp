@@ -1,8 +1,8 @@
 #include "sph/lattice_constants.hpp"
 
-#include <cmath>
-
 #include "sph/pair_operators.hpp"
+
+#include <cmath>
 
 namespace eisph {
 

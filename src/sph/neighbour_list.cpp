@@ -28,8 +28,11 @@ template <int Dim>
 void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
                                ThreadPool& pool) {
   workers_.resize(static_cast<std::size_t>(pool.threads()));
-  arenas_.resize(workers_.size());
-  for (Worker& worker : workers_) worker.used = 0;
+  pages_taken_ = 0;
+  for (Worker& worker : workers_) {
+    worker.used = 0;
+    worker.page_size = 0;
+  }
   entries_.resize(table.first_image);
 
   const SourceGroup& objects = groups[0];
@@ -43,13 +46,13 @@ void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& tab
       collect_candidates(grid, table, groups, cell, worker);
       if (has_fluid) {
         for (std::uint32_t k = fluid.start[cell]; k < fluid.start[cell + 1]; ++k) {
-          make_list(table, fluid.first + k, worker_index);
+          make_list(table, fluid.first + k, worker);
         }
       }
       if (has_objects) {
         for (std::uint32_t k = objects.start[cell]; k < objects.start[cell + 1]; ++k) {
           if (worker.has_fluid) {
-            make_list(table, objects.first + k, worker_index);
+            make_list(table, objects.first + k, worker);
           } else {
             entries_[objects.first + k] = 0;
           }
@@ -95,17 +98,27 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
 }
 
 template <int Dim>
-void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index, int worker_index) {
-  Worker& worker = workers_[static_cast<std::size_t>(worker_index)];
-  AlignedBuffer<std::uint32_t>& arena = arenas_[static_cast<std::size_t>(worker_index)];
-  const std::size_t room = worker.used + worker.candidates + 2 * kPackWidth;
-  if (room > arena.size()) arena.resize(std::max(room, worker.used + worker.used / 8 + (1U << 16)));
+void NeighbourList<Dim>::take_page(Worker& worker, std::size_t room) {
+  const std::lock_guard lock(pages_mutex_);
+  if (pages_taken_ == pages_.size()) pages_.emplace_back();
+  Page& page = pages_[pages_taken_];
+  if (page.size() < room) page.resize_exactly(std::max(room, kPageSize));
+  worker.page = page.data();
+  worker.page_index = pages_taken_++;
+  worker.page_size = page.size();
+  worker.used = 0;
+}
+
+template <int Dim>
+void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index, Worker& worker) {
+  const std::size_t room = worker.candidates + 2 * kPackWidth;
+  if (worker.used + room > worker.page_size) take_page(worker, room);
 
   const Float4& at = table.position[index];
   const Pack x = splat<Pack>(at.x);
   const Pack y = splat<Pack>(at.y);
   const Pack z = splat<Pack>(at.z);
-  std::uint32_t* const list = arena.data() + worker.used;
+  std::uint32_t* const list = worker.page + worker.used;
   std::uint32_t* out = list;
   for (std::size_t k = 0; k < worker.candidates; k += kPackWidth) {
     const Pack dx = load(&worker.x[k]) - x;
@@ -123,16 +136,16 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
   std::uint64_t packs = (count + kPackWidth - 1) / kPackWidth;
   for (std::size_t k = count; k < packs * kPackWidth; ++k) list[k] = SourceTable::kNothing;
   if (!wet) packs = 0;
-  entries_[index] = static_cast<std::uint64_t>(worker_index) << kArenaShift |
-                    static_cast<std::uint64_t>(worker.used / kPackWidth) << kOffsetShift |
-                    (wet ? kWet : 0) | (near_object ? kNearObject : 0) | packs;
+  entries_[index] = static_cast<std::uint64_t>(worker.page_index) << kPageShift |
+                    static_cast<std::uint64_t>(worker.used / kPackWidth) << kOffsetShift | (wet ? kWet : 0) |
+                    (near_object ? kNearObject : 0) | packs;
   worker.used += packs * kPackWidth;
 }
 
 template <int Dim>
 std::size_t NeighbourList<Dim>::bytes() const {
   std::size_t sum = entries_.bytes();
-  for (const auto& arena : arenas_) sum += arena.bytes();
+  for (const Page& page : pages_) sum += page.bytes();
   for (const Worker& worker : workers_) {
     sum += worker.x.bytes() + worker.y.bytes() + worker.z.bytes() + worker.index.bytes();
   }

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include "core/aligned_buffer.hpp"
 #include "core/thread_pool.hpp"
 #include "sph/cell_grid.hpp"
 #include "sph/source_table.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <vector>
 
 namespace eisph {
 
@@ -34,8 +35,8 @@ class NeighbourList {
   /// Of particle `index` of the table, which must be a fluid or an object particle.
   [[nodiscard]] Neighbours of(std::uint32_t index) const {
     const std::uint64_t entry = entries_[index];
-    const std::uint32_t* arena = arenas_[entry >> kArenaShift].data();
-    const std::uint32_t* begin = arena + (entry >> kOffsetShift & kOffsetMask) * kPackWidth;
+    const std::uint32_t* page = pages_[entry >> kPageShift].data();
+    const std::uint32_t* begin = page + (entry >> kOffsetShift & kOffsetMask) * kPackWidth;
     return {begin, begin + (entry & kCountMask) * kPackWidth, (entry & kNearObject) != 0};
   }
   /// Whether object particle `index` has fluid within its support.
@@ -44,17 +45,23 @@ class NeighbourList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  // An entry: which worker's arena, where in it (in packs), two flags and the length (in packs).
+  // An entry: which page, where on it (in packs), two flags and the length (in packs).
   static constexpr std::uint64_t kCountMask = 0xFFFF;
   static constexpr std::uint64_t kNearObject = 1ULL << 16;
   static constexpr std::uint64_t kWet = 1ULL << 17;
   static constexpr int kOffsetShift = 18;
-  static constexpr std::uint64_t kOffsetMask = (1ULL << 34) - 1;
-  static constexpr int kArenaShift = 52;
+  static constexpr std::uint64_t kOffsetMask = (1ULL << 22) - 1;
+  static constexpr int kPageShift = 40;
+  static constexpr std::size_t kPageSize = std::size_t{1} << 16;  ///< indices
 
-  /// What one worker needs: the list storage and the candidates of the cell in hand.
+  using Page = AlignedBuffer<std::uint32_t>;
+
+  /// What one worker needs: the page in hand and the candidates of the cell in hand.
   struct Worker {
-    std::size_t used = 0;  ///< of the arena
+    std::uint32_t* page = nullptr;
+    std::size_t page_index = 0;
+    std::size_t page_size = 0;
+    std::size_t used = 0;  ///< of the page
     AlignedBuffer<float> x, y, z;
     AlignedBuffer<std::uint32_t> index;
     std::size_t candidates = 0;
@@ -63,10 +70,15 @@ class NeighbourList {
 
   void collect_candidates(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
                           std::size_t cell, Worker& worker) const;
-  void make_list(const SourceTable& table, std::uint32_t index, int worker);
+  void make_list(const SourceTable& table, std::uint32_t index, Worker& worker);
+  /// Lists fill pages that the workers take from a common stock, so that memory does not depend on how the
+  /// work happens to be shared out.
+  void take_page(Worker& worker, std::size_t room);
 
   std::vector<Worker> workers_;
-  std::vector<AlignedBuffer<std::uint32_t>> arenas_;
+  std::vector<Page> pages_;
+  std::size_t pages_taken_ = 0;
+  std::mutex pages_mutex_;
   AlignedBuffer<std::uint64_t> entries_;
 };
 

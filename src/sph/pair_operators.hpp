@@ -76,7 +76,8 @@ struct DensitySum {
 };
 
 /// Viscous term after Monaghan (thesis (3.24) with the sign and eta as corrected):
-/// nu lap u = 2 (D + 2) nu sum V_j (u_ij . x_ij)/(r^2 + eta^2) grad W_ij; here without 2 (D + 2) nu alpha/h^2.
+/// nu lap u = 2 (D + 2) nu sum V_j (u_ij . x_ij)/(r^2 + eta^2) grad W_ij; here without 2 (D + 2) nu
+/// alpha/h^2.
 template <int Dim, class Real>
 struct ViscousSum {
   Vector<Dim, Real> value{};

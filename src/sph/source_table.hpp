@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "core/aligned_buffer.hpp"
 #include "core/pack.hpp"
+
+#include <cstdint>
+#include <span>
 
 namespace eisph {
 
@@ -26,7 +26,8 @@ struct SourceTable {
   std::uint32_t end = 1;
 
   /// Lays the groups out one after the other. Rows of groups whose place stays the same keep their content.
-  void lay_out(std::uint32_t objects, std::uint32_t object_images, std::uint32_t fluid, std::uint32_t images) {
+  void lay_out(std::uint32_t objects, std::uint32_t object_images, std::uint32_t fluid,
+               std::uint32_t images) {
     first_object_image = first_object + objects;
     first_fluid = first_object_image + object_images;
     first_image = first_fluid + fluid;

@@ -52,10 +52,9 @@ struct RecordingStages {
     };
     result.make_draw = [this] {
       note_thread();
-      return [](const Snapshot& state, const DueFrame& due) {
+      return [](const Snapshot& state, const DueFrame&) {
         Frame frame;
         frame.time = state.time;
-        frame.index = due.index;
         return frame;
       };
     };

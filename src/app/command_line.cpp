@@ -1,0 +1,135 @@
+#include "app/command_line.hpp"
+
+#include "app/build_info.hpp"
+#include "app/commands.hpp"
+#include "core/error.hpp"
+#include "io/host.hpp"
+#include "io/scene_file.hpp"
+#include "render/frame_renderer.hpp"
+
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace eisph {
+namespace {
+
+constexpr int kThreadsMax = 1024;
+
+/// What the command line asked for; the command to run stays empty until one is named.
+struct CommandLine {
+  RunOptions run;
+  CheckOptions check;
+  RenderOptions render;
+  bool schema = false;
+  std::function<int()> command;
+};
+
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
+  app.add_option("--set", overrides, "Set a key of the scene: section.key=value; may be given again")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& app, int& threads) {
+  threads = std::max(1, static_cast<int>(host_info().cores));
+  app.add_option("--threads", threads, "Threads of the simulation")
+      ->type_name("N")
+      ->check(CLI::Range(1, kThreadsMax).description(""))
+      ->capture_default_str();
+}
+
+void add_run(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("run", "Simulate a scene and write its frames, tables and states");
+  command->add_option("SCENE", line.run.scene, "Scene file (.toml)")->required()->type_name("FILE");
+  add_overrides(*command, line.run.overrides);
+  add_threads(*command, line.run.threads);
+  command->add_option("--out", line.run.out, "Folder of the run [out/<scene>]")->type_name("DIR");
+  command->add_option("--until", line.run.until, "Stop at this simulated time, s")->type_name("T");
+  command->add_flag("--quiet", line.run.quiet, "Print nothing but errors");
+  command->add_flag_callback(
+      "--no-frames", [&line] { line.run.frames = false; }, "Draw no frames; the result is the same");
+  command->callback(
+      [&line] { line.command = [&line] { return run_command(line.run, std::cout, std::cerr); }; });
+}
+
+void add_check(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("check", "Check a scene and tell what it would simulate and write");
+  CLI::Option* scene =
+      command->add_option("SCENE", line.check.scene, "Scene file (.toml)")->type_name("FILE");
+  add_overrides(*command, line.check.overrides);
+  add_threads(*command, line.check.threads);
+  command->add_flag("--schema", line.schema, "Print the reference of all keys of a scene file");
+  command->callback([&line, scene] {
+    if (line.schema) {
+      line.command = [] {
+        std::cout << scene_schema_text();
+        return static_cast<int>(kSuccess);
+      };
+      return;
+    }
+    if (scene->count() == 0) throw CLI::RequiredError("SCENE");
+    line.command = [&line] { return check_command(line.check, std::cout); };
+  });
+}
+
+void add_render(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("render", "Draw frames from the saved states of a run");
+  command->add_option("RUN_FOLDER", line.render.run_folder, "Folder of a run")->required()->type_name("DIR");
+  command->add_option("--image", line.render.images, "Draw only this image; may be given again")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_overrides(*command, line.render.overrides);
+  command->add_option("--time", line.render.times, "Draw only the state at this time, s; may be given again")
+      ->type_name("T")
+      ->allow_extra_args(false);
+  command->add_option("--out", line.render.out, "Folder of the frames [RUN_FOLDER/rendered]")
+      ->type_name("DIR");
+  command->callback([&line] { line.command = [&line] { return render_command(line.render, std::cout); }; });
+}
+
+/// Fills `line`; the exit code where there is nothing to run (help, version, an error).
+std::optional<int> parse(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "eisph: " << error.what() << " (see eisph --help)\n";
+    return kBadInput;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  try {
+    CommandLine line;
+    CLI::App app("Dam-break waves by explicit incompressible SPH, drawn while they are simulated.", "eisph");
+    app.set_version_flag("--version", software_name());
+    app.require_subcommand(1);
+    app.footer(
+        "Units are SI throughout. Exit codes: 0 done, 1 failure, 2 bad input, 3 blow-up, 130 interrupted.");
+    add_run(app, line);
+    add_check(app, line);
+    add_render(app, line);
+    if (const auto code = parse(app, argc, argv)) return *code;
+    limit_software_renderer_threads();  // before any command starts threads
+    return line.command();
+  } catch (const InputError& error) {
+    std::cerr << "eisph: " << error.what() << '\n';
+    return kBadInput;
+  } catch (const BlowUpError& error) {
+    std::cerr << "eisph: " << error.what() << '\n';
+    return kBlowUp;
+  } catch (const std::exception& error) {
+    std::cerr << "eisph: " << error.what() << '\n';
+    return kFailure;
+  }
+}
+
+}  // namespace eisph

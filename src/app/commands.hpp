@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eisph {
+
+/// Exit code of a run that was asked to stop, as a shell reports Ctrl-C.
+inline constexpr int kInterrupted = 130;
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;  ///< key=value
+  int threads = 1;
+  std::optional<std::filesystem::path> out;  ///< folder of the run; default out/<scene>
+  std::optional<double> until;               ///< s, earlier end
+  bool quiet = false;
+  bool frames = true;
+};
+
+/// Simulates a scene and writes its outputs. Progress goes to `progress`, the report at the end to `out`.
+/// Returns the exit code. Throws InputError before anything is written, and BlowUpError after everything is.
+[[nodiscard]] int run_command(const RunOptions& options, std::ostream& out, std::ostream& progress);
+
+struct CheckOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;
+  int threads = 1;
+};
+
+/// Prints what a scene would simulate and write, and what is doubtful about it.
+[[nodiscard]] int check_command(const CheckOptions& options, std::ostream& out);
+
+struct RenderOptions {
+  std::filesystem::path run_folder;
+  std::vector<std::string> images;  ///< names; empty: all
+  std::vector<std::string> overrides;
+  std::vector<double> times;                 ///< s; empty: all saved states
+  std::optional<std::filesystem::path> out;  ///< default <run folder>/rendered
+};
+
+/// Draws frames from the saved states of a run.
+[[nodiscard]] int render_command(const RenderOptions& options, std::ostream& out);
+
+}  // namespace eisph

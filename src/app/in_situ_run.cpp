@@ -1,0 +1,121 @@
+#include "app/in_situ_run.hpp"
+
+#include "app/frame_stage.hpp"
+#include "app/output_plan.hpp"
+#include "app/pipeline.hpp"
+#include "app/record_stage.hpp"
+#include "app/time_loop.hpp"
+#include "core/error.hpp"
+#include "io/file_io.hpp"
+#include "io/host.hpp"
+
+#include <chrono>
+#include <memory>
+
+namespace eisph {
+namespace {
+
+PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan) {
+  PipelineStages stages;
+  if (plan.has_records() || plan.has_frames()) {
+    stages.make_write = [&scene, &files] {
+      auto stage = std::make_shared<RecordStage>(scene, files);
+      return [stage](const Publication& publication) { stage->write(publication); };
+    };
+  }
+  if (!plan.has_frames()) return stages;
+  stages.make_draw = [&scene] {
+    auto stage = std::make_shared<FrameStage>(scene);
+    return [&scene, stage](const Snapshot& snapshot, const DueFrame& due) {
+      return Frame{frame_file_name(scene.images[due.image].name, due.index), snapshot.time,
+                   stage->draw(snapshot, due.image)};
+    };
+  };
+  stages.make_encode = [&scene, &files] {
+    create_folder(files.frames());
+    return [&scene, &files](const Frame& frame) { write_frame(files.frames(), scene, frame); };
+  };
+  return stages;
+}
+
+/// Wall clock since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+ProgressState progress_state(const Simulation& simulation, double end_time, const Stopwatch& watch) {
+  return {
+      simulation.time(), end_time, simulation.time_step(), simulation.steps(), simulation.fluid_particles(),
+      watch.seconds()};
+}
+
+LoopHooks make_hooks(const Simulation& simulation, Pipeline& pipeline, ProgressReporter& progress,
+                     spdlog::logger& log, double end_time, const std::function<bool()>& stop_requested) {
+  const auto publish = [&pipeline, &log](const Publication& publication) {
+    const DueOutputs& due = publication.due;
+    const Snapshot& snapshot = *publication.snapshot;
+    if (due.particles || due.depth || !due.frames.empty()) {
+      log.info("output at t = {:.6g} s, step {}, time step {:.3g} s", snapshot.time, snapshot.step,
+               snapshot.time_step);
+    }
+    pipeline.publish(publication);
+  };
+  const auto after_step = [&simulation, &pipeline, &progress, end_time, watch = Stopwatch()] {
+    progress.update(progress_state(simulation, end_time, watch));
+    pipeline.check();
+  };
+  return {publish, after_step, stop_requested};
+}
+
+/// What the run itself adds to the figures of the solver.
+void complete_summary(RunSummary& summary, const Scene& scene, const Pipeline& pipeline) {
+  summary.scene = scene.name;
+  summary.dimension = scene.dimension;
+  summary.frames_written = pipeline.frames_written();
+  summary.frames_dropped = pipeline.frames_dropped();
+  summary.cpu_time_total = cpu_time();
+  summary.peak_rss_bytes = peak_rss_bytes();
+}
+
+}  // namespace
+
+RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFiles& files,
+                       const InSituSettings& settings, ProgressReporter& progress, spdlog::logger& log,
+                       const std::function<bool()>& stop_requested) {
+  const OutputPlan plan(scene, settings.frames);
+  const QueuePolicy policy = scene.output.latest_frame_only ? QueuePolicy::LatestOnly : QueuePolicy::KeepAll;
+  Pipeline pipeline(make_stages(scene, files, plan), static_cast<std::size_t>(scene.output.queue_length),
+                    policy);
+
+  simulation.initialise();
+  log.info("pressure at t = 0 found in {:.2f} s", simulation.summary().wall_time_initial_pressure);
+
+  std::string status = "finished";
+  std::string message;
+  const Stopwatch watch;
+  try {
+    const LoopHooks hooks =
+        make_hooks(simulation, pipeline, progress, log, settings.end_time, stop_requested);
+    if (run_time_loop(simulation, plan, settings.end_time, hooks) == LoopEnd::Interrupted)
+      status = "interrupted";
+  } catch (const BlowUpError& error) {
+    status = "blown_up";
+    message = error.what();
+  }
+  progress.finish(progress_state(simulation, settings.end_time, watch));
+  pipeline.finish();
+
+  RunSummary summary = simulation.summary();
+  summary.status = status;
+  summary.message = message;
+  complete_summary(summary, scene, pipeline);
+  return summary;
+}
+
+}  // namespace eisph

@@ -1,0 +1,92 @@
+#include "app/scene_report.hpp"
+
+#include "app/output_plan.hpp"
+
+#include <fmt/format.h>
+
+namespace eisph {
+namespace {
+
+/// Position, velocity, pressure, number density, id and place of a particle in a .vtp file, before
+/// compression.
+constexpr double kStateBytesPerParticle = 12 + 12 + 4 + 4 + 4 + 8;
+
+class Report {
+ public:
+  void row(const std::string& name, const std::string& value) {
+    text_ += fmt::format("{:<18}{}\n", name, value);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string megabytes(double bytes) { return fmt::format("{:.3g} MB", bytes / 1e6); }
+
+void add_frames(Report& report, const Scene& scene, const OutputCounts& counts) {
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    const ImageSettings& image = scene.images[k];
+    const char* kind = image.kind == ImageKind::DepthMap ? "depth map" : "particles";
+    report.row(k == 0 ? "frames" : "", fmt::format("{} of \"{}\": {}, {}, {} x {}", counts.frames[k],
+                                                   image.name, kind, image.field, image.width, image.height));
+  }
+  if (scene.images.empty()) report.row("frames", "none");
+}
+
+void add_tables(Report& report, const Scene& scene, const OutputCounts& counts) {
+  const auto rows = [&](double interval) {
+    Schedule schedule;
+    schedule.interval = interval;
+    return schedule.empty() ? std::string("at every output")
+                            : fmt::format("{} rows", count_due(schedule, scene.end_time));
+  };
+  for (const Gauge& gauge : scene.gauges) {
+    report.row("gauge",
+               fmt::format("{} at ({:g}, {:g}) m, {}", gauge.name, gauge.x, gauge.y, rows(gauge.interval)));
+  }
+  for (const PointProbe& probe : scene.probes) {
+    const Vec3d& at = probe.position;
+    report.row("probe", fmt::format("{} at ({:g}, {:g}, {:g}) m, {}", probe.name, at.x(), at.y(), at.z(),
+                                    rows(probe.interval)));
+  }
+  report.row("tables",
+             fmt::format("leading edge and ledger with every output, {} times from gauges and probes",
+                         counts.probe_times));
+}
+
+}  // namespace
+
+std::string scene_report(const Scene& scene, const SimulationPlan& plan, std::uint64_t available_memory) {
+  Report report;
+  report.row("scene", fmt::format("{} ({}), {}D, {:g} s", scene.name, scene.source_file, scene.dimension,
+                                  scene.end_time));
+  report.row("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.particle_spacing,
+                                    scene.smoothing_length()));
+  report.row("particles", fmt::format("{} fluid, {} object, {} virtual (not stored), {} ghost at t = 0",
+                                      plan.fluid_particles, plan.object_particles, plan.virtual_particles,
+                                      plan.ghost_particles));
+  report.row("memory", fmt::format("{} of solver state, {} available",
+                                   megabytes(static_cast<double>(plan.estimated_bytes)),
+                                   megabytes(static_cast<double>(available_memory))));
+  report.row("time step",
+             fmt::format("{:.4g} s at t = 0, about {} steps", plan.time_step, plan.estimated_steps));
+  report.row("speed of sound",
+             fmt::format("{:.3g} m/s effective, Mach number {:.2g} at the speed expected, {:.3g} m/s",
+                         plan.effective_sound_speed, scene.reference_speed() / plan.effective_sound_speed,
+                         scene.reference_speed()));
+
+  const OutputCounts counts = OutputPlan(scene, true).counts(scene.end_time);
+  add_frames(report, scene, counts);
+  const double state_bytes = kStateBytesPerParticle * static_cast<double>(plan.fluid_particles);
+  report.row("particle states", counts.particles == 0
+                                    ? std::string("none")
+                                    : fmt::format("{} .vtp files of at most about {} each", counts.particles,
+                                                  megabytes(state_bytes)));
+  report.row("depth grids",
+             counts.depth == 0 ? std::string("none") : fmt::format("{} .vti files", counts.depth));
+  add_tables(report, scene, counts);
+  return report.text();
+}
+
+}  // namespace eisph

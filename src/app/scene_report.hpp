@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/scene.hpp"
+#include "scheme/simulation.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace eisph {
+
+/// What a scene amounts to: particles, memory, time step, outputs. Lines for people.
+[[nodiscard]] std::string scene_report(const Scene& scene, const SimulationPlan& plan,
+                                       std::uint64_t available_memory);
+
+/// What is allowed but doubtful about a scene: one sentence each.
+[[nodiscard]] std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan& plan);
+
+}  // namespace eisph

@@ -1,0 +1,152 @@
+#include "render/frame_renderer.hpp"
+
+#include "render/axis.hpp"
+#include "render/camera_view.hpp"
+#include "render/depth_map.hpp"
+#include "render/depth_profile.hpp"
+#include "render/drawing.hpp"
+#include "render/field.hpp"
+#include "render/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+/// Two decimals, or as many as the time needs, up to five.
+std::string time_text(double time) {
+  int decimals = 2;
+  for (double scaled = 100.0 * time; decimals < 5 && std::abs(scaled - std::round(scaled)) > 1e-5;
+       scaled *= 10.0) {
+    ++decimals;
+  }
+  return fmt::format("t = {:.{}f} s", time, decimals);
+}
+
+}  // namespace
+
+class FrameRenderer::Parts {
+ public:
+  Parts(const Scene& scene, const ParticlePictureOptions& options) : scene_(scene), options_(options) {
+    const auto particles = [](const ImageSettings& image) { return image.kind == ImageKind::Particles; };
+    if (std::any_of(scene.images.begin(), scene.images.end(), particles)) particle_picture();
+  }
+
+  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
+    const FieldScale scale = field_scale(scene_, settings);
+    const Palette colours = palette(settings.dark_background);
+    const bool kinds = settings.kind == ImageKind::Particles && settings.field == "kind";
+    const ColourMap map = kinds ? ColourMap::two_colours(colours.fluid_kind, colours.object_kind)
+                                : colour_map(colour_map_name(settings));
+    const std::string time = time_text(snapshot.time);
+    const FrameLayout layout = lay_out_frame(settings.width, settings.height, typeface_, time, scale.label);
+
+    Image frame(settings.width, settings.height);
+    fill_rectangle(frame, {0, 0, frame.width, frame.height}, colours.page);
+    const LengthScale length = draw_picture(frame, layout, settings, snapshot, depth, map, scale);
+    draw_title(frame, layout, typeface_, colours, scene_.title.empty() ? scene_.name : scene_.title, time);
+    draw_length_scale(frame, layout, typeface_, colours, length);
+    if (kinds) {
+      draw_kinds(frame, layout, typeface_, colours, scale.label,
+                 {{"fluid", colours.fluid_kind}, {"object", colours.object_kind}});
+    } else {
+      const bool map_of_depth = settings.kind == ImageKind::DepthMap;
+      const double bare_below = map_of_depth ? settings.dry_depth : std::numeric_limits<double>::lowest();
+      draw_colour_bar(frame, layout, typeface_, colours, scale, map, bare_below, bare_ground(colours));
+    }
+    return frame;
+  }
+
+ private:
+  ParticlePicture& particle_picture() {
+    if (!particle_picture_) particle_picture_.emplace(scene_, create_offscreen_context(), options_);
+    return *particle_picture_;
+  }
+
+  const ColourMap& colour_map(const std::string& name) {
+    const auto found = colour_maps_.find(name);
+    return found != colour_maps_.end() ? found->second
+                                       : colour_maps_.emplace(name, ColourMap::load(name)).first->second;
+  }
+
+  [[nodiscard]] Colour bare_ground(const Palette& colours) const {
+    return scene_.dimension == 3 ? colours.dry_floor : colours.page;
+  }
+
+  LengthScale draw_picture(Image& frame, const FrameLayout& layout, const ImageSettings& settings,
+                           const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
+                           const FieldScale& scale) {
+    if (settings.kind == ImageKind::Particles)
+      return draw_particles(frame, layout, settings, snapshot, depth, map, scale);
+    const PixelRectangle& place = layout.picture;
+    if (scene_.dimension == 2) {
+      const Font& font = typeface_.size(layout.text_height);
+      const ProfileView view = profile_view(scene_, place.width, place.height, font);
+      paste(frame,
+            draw_depth_profile(scene_, settings, depth, view, place.width, place.height, map, scale, font),
+            place.x, place.y);
+      LengthScale length = length_scale(1.0 / view.metres_per_pixel, view.area.width, layout.scale.width);
+      const double exaggeration = view.metres_per_pixel / view.height_per_pixel;
+      if (exaggeration > 1.01) {
+        const std::string text = length.texts.front();
+        length.texts = {fmt::format("{} along x; heights \u00D7 {:.3g}", text, exaggeration),
+                        fmt::format("{} in x; z \u00D7 {:.2g}", text, exaggeration)};
+      }
+      return length;
+    }
+    const TopView view = top_view(scene_, settings, place.width, place.height, layout.text_height / 2);
+    paste(frame, draw_depth_map(scene_, settings, depth, view, place.width, place.height, map, scale),
+          place.x, place.y);
+    return length_scale(1.0 / view.metres_per_pixel, place.width, layout.scale.width);
+  }
+
+  LengthScale draw_particles(Image& frame, const FrameLayout& layout, const ImageSettings& settings,
+                             const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
+                             const FieldScale& scale) {
+    const PixelRectangle& place = layout.picture;
+    const Camera camera = settings.camera
+                              ? *settings.camera
+                              : default_camera(scene_, settings.height, place.width, place.height);
+    const CameraView view(camera, settings.height, place.width, place.height, drawn_bounds(scene_));
+    ParticlePicture& picture = particle_picture();
+    paste(frame, picture.draw(settings, view, place.width, place.height, snapshot, depth, map, scale),
+          place.x, place.y);
+    LengthScale length = length_scale(view.pixels_per_metre(), place.width, layout.scale.width);
+    const std::string text = length.texts.front();
+    length.texts.clear();
+    const std::string at_centre = view.perspective() ? text + " at view centre" : text;
+    if (scene_.dimension == 3 && settings.draw_walls) {
+      length.texts.push_back(
+          fmt::format("{}; floor grid {}", at_centre, length_text(picture.grid_spacing())));
+    }
+    length.texts.push_back(at_centre);
+    length.texts.push_back(text);
+    return length;
+  }
+
+  Scene scene_;
+  ParticlePictureOptions options_;
+  Typeface typeface_;
+  std::map<std::string, ColourMap> colour_maps_;
+  std::optional<ParticlePicture> particle_picture_;
+};
+
+FrameRenderer::FrameRenderer(const Scene& scene, const ParticlePictureOptions& options)
+    : parts_(std::make_unique<Parts>(scene, options)) {}
+
+FrameRenderer::~FrameRenderer() = default;
+
+Image FrameRenderer::draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
+  return parts_->draw(settings, snapshot, depth);
+}
+
+}  // namespace eisph

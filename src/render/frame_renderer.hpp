@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/depth_grid.hpp"
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+#include "render/image.hpp"
+#include "render/particle_picture.hpp"
+
+#include <memory>
+
+namespace eisph {
+
+/// Draws frames without a display. Made, used and destroyed on one thread; any number may be at work on
+/// different threads. Owns its graphics context.
+class FrameRenderer {
+ public:
+  /// Throws InputError when the software renderer, a shader or the font is missing. The graphics context is
+  /// made here if an image of the scene needs it, otherwise when a particle picture is first asked for.
+  explicit FrameRenderer(const Scene& scene, const ParticlePictureOptions& options = {});
+  FrameRenderer(const FrameRenderer&) = delete;
+  FrameRenderer& operator=(const FrameRenderer&) = delete;
+  ~FrameRenderer();
+
+  /// One frame: the picture with title, time, colour bar and length scale. The settings need not be among the
+  /// scene's. Throws InputError for settings that cannot be drawn.
+  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Bounds the threads of the software renderer (to one, unless the environment has LP_NUM_THREADS). It writes
+/// to the environment, so a program with several threads calls it before it starts them; making a renderer
+/// does it too.
+void limit_software_renderer_threads();
+
+}  // namespace eisph

@@ -1,0 +1,142 @@
+#include "render/particle_picture.hpp"
+
+#include "core/assets.hpp"
+#include "render/axis.hpp"
+#include "render/particle_culling.hpp"
+
+#include <algorithm>
+
+namespace eisph {
+
+namespace {
+
+/// Sphere radius in particle spacings: large enough that a resting lattice has no holes.
+constexpr float kSphereRadius = 0.58F;
+constexpr float kDiscRadius = 0.5F;  ///< two dimensions: neighbours just touch
+constexpr float kShadingStrength = 1.1F;
+constexpr int kShadingReach = 3;  ///< pixels
+
+const GlFunctions& current(GlContext& context) {
+  context.make_current();
+  return context.functions();
+}
+
+void fit(std::optional<OffscreenTarget>& target, const GlFunctions& gl, int width, int height) {
+  if (target && target->width() == width && target->height() == height) return;
+  target.reset();
+  target.emplace(gl, width, height);
+}
+
+}  // namespace
+
+ParticlePicture::ParticlePicture(const Scene& scene, std::unique_ptr<GlContext> context,
+                                 const ParticlePictureOptions& options)
+    : scene_(scene),
+      context_(std::move(context)),
+      options_(options),
+      grid_spacing_(round_down_nicely(0.2 * (scene.domain_max - scene.domain_min).head<2>().maxCoeff())),
+      obstacles_(obstacle_mesh(scene)),
+      particle_painter_(current(*context_), home_folder() / "shaders"),
+      solid_painter_(context_->functions(), home_folder() / "shaders"),
+      resolve_program_(context_->functions(), home_folder() / "shaders", "resolve"),
+      resolve_array_(context_->functions()) {}
+
+ParticlePicture::~ParticlePicture() { context_->make_current(); }
+
+Image ParticlePicture::draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
+                            const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
+                            const FieldScale& scale) {
+  const GlFunctions& gl = current(*context_);
+  const Palette colours = palette(settings.dark_background);
+  fit(samples_, gl, options_.samples_per_pixel * width, options_.samples_per_pixel * height);
+  fit(pixels_, gl, width, height);
+  samples_->begin(colours.page);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Enable(GL_PROGRAM_POINT_SIZE);
+  gl.DepthFunc(GL_LEQUAL);
+  if (settings.draw_walls) draw_floor(camera, colours);
+  if (settings.draw_obstacles && settings.field != "kind") draw_solids(camera, colours, snapshot.time);
+  draw_particles(settings, camera, snapshot, depth, map, scale);
+  if (settings.draw_walls) draw_wall_edges(camera, colours);
+  return resolve(camera, colours, width, height);
+}
+
+void ParticlePicture::draw_floor(const CameraView& camera, const Palette& colours) const {
+  if (scene_.dimension != 3) return;
+  SolidMesh floor;
+  add_floor(floor, scene_.domain_min.x(), scene_.domain_max.x(), scene_.domain_min.y(), scene_.domain_max.y(),
+            scene_.domain_min.z());
+  solid_painter_.draw_surface(camera, floor.triangles, colours.floor);
+  solid_painter_.draw_edges(camera, floor_grid(scene_, grid_spacing_), colours.grid,
+                            0.9F * static_cast<float>(options_.samples_per_pixel), samples_->width(),
+                            samples_->height());
+}
+
+void ParticlePicture::draw_wall_edges(const CameraView& camera, const Palette& colours) const {
+  const bool flat = scene_.dimension == 2;
+  const double top = flat ? scene_.domain_max.z() : framed_bounds(scene_).upper.z();
+  // Without depth, so that the shading of the resolve pass does not take the lines for walls before the
+  // water.
+  const GlFunctions& gl = context_->functions();
+  gl.DepthMask(GL_FALSE);
+  solid_painter_.draw_edges(camera, wall_edges(scene_, top), flat ? colours.line : colours.faint,
+                            1.2F * static_cast<float>(options_.samples_per_pixel), samples_->width(),
+                            samples_->height());
+  gl.DepthMask(GL_TRUE);
+}
+
+void ParticlePicture::draw_solids(const CameraView& camera, const Palette& colours, double time) const {
+  const SolidMesh gates = gate_mesh(scene_, time);
+  const auto width = 1.1F * static_cast<float>(options_.samples_per_pixel);
+  for (const auto& [mesh, colour] :
+       {std::pair(&obstacles_, colours.solid), std::pair(&gates, colours.gate)}) {
+    solid_painter_.draw_surface(camera, mesh->triangles, colour);
+    solid_painter_.draw_edges(camera, mesh->edges, mix(colour, Colour{}, 0.55F), width, samples_->width(),
+                              samples_->height());
+  }
+}
+
+void ParticlePicture::draw_particles(const ImageSettings& settings, const CameraView& camera,
+                                     const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
+                                     const FieldScale& scale) const {
+  const bool cull = options_.cull_interior && snapshot.dimension == 3;
+  const std::vector<std::uint32_t> chosen =
+      cull ? visible_particles(snapshot, camera, scene_.domain_min.z()) : finite_particles(snapshot);
+  const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
+  std::vector<ParticleVertex> vertices(chosen.size());
+  for (std::size_t k = 0; k < chosen.size(); ++k) vertices[k] = {snapshot.position[chosen[k]], values[k]};
+  const float factor = snapshot.dimension == 3 ? kSphereRadius : kDiscRadius;
+  const auto radius = factor * static_cast<float>(snapshot.particle_spacing);
+  particle_painter_.draw(camera, options_.samples_per_pixel, vertices, radius, map, scale.lower, scale.upper);
+  if (settings.field != "kind" || !settings.draw_obstacles || !snapshot.objects) return;
+  std::vector<ParticleVertex> objects;
+  for (const Vec3f& position : snapshot.objects->position) objects.push_back({position, 1.0F});
+  particle_painter_.draw(camera, options_.samples_per_pixel, objects, radius, map, scale.lower, scale.upper);
+}
+
+Image ParticlePicture::resolve(const CameraView& camera, const Palette& colours, int width, int height) {
+  const GlFunctions& gl = context_->functions();
+  pixels_->begin(colours.page);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, samples_->colour().name());
+  gl.ActiveTexture(GL_TEXTURE0 + 1);
+  gl.BindTexture(GL_TEXTURE_2D, samples_->depth().name());
+  const bool shade = options_.depth_shading && scene_.dimension == 3;
+  // Reach and scale follow the picture, so that a frame looks alike at every size.
+  const int reach = std::max(1, kShadingReach * std::min(width, height) / 600);
+  resolve_program_.use();
+  resolve_program_.set("samples", 0);
+  resolve_program_.set("depth", 1);
+  resolve_program_.set("projection", camera.projection());
+  resolve_program_.set("factor", options_.samples_per_pixel);
+  resolve_program_.set("reach", reach * options_.samples_per_pixel);
+  resolve_program_.set("strength", shade ? kShadingStrength : 0.0F);
+  resolve_program_.set("scale", static_cast<float>(0.5 * depth_scale(scene_)));
+  gl.BindVertexArray(resolve_array_.name());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.ActiveTexture(GL_TEXTURE0);
+  return pixels_->read();
+}
+
+}  // namespace eisph

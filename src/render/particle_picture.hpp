@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/depth_grid.hpp"
+#include "core/scene.hpp"
+#include "core/snapshot.hpp"
+#include "render/camera_view.hpp"
+#include "render/colour_map.hpp"
+#include "render/field.hpp"
+#include "render/gl_context.hpp"
+#include "render/image.hpp"
+#include "render/offscreen_target.hpp"
+#include "render/palette.hpp"
+#include "render/particle_painter.hpp"
+#include "render/solid_painter.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace eisph {
+
+/// How particle pictures are drawn; the defaults are meant for frames.
+struct ParticlePictureOptions {
+  bool cull_interior = true;  ///< leave out particles that other particles hide
+  int samples_per_pixel = 2;  ///< along each axis
+  bool depth_shading = true;  ///< darken what lies behind its surroundings (three dimensions)
+};
+
+/// The part of a frame that shows particles, walls and solids. Owns its GL context.
+class ParticlePicture {
+ public:
+  ParticlePicture(const Scene& scene, std::unique_ptr<GlContext> context,
+                  const ParticlePictureOptions& options);
+  ParticlePicture(const ParticlePicture&) = delete;
+  ParticlePicture& operator=(const ParticlePicture&) = delete;
+  ~ParticlePicture();
+
+  /// Image of width x height pixels as `camera` sees it. `map` spans the scale.
+  Image draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
+             const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map, const FieldScale& scale);
+
+  /// Spacing of the lines on the floor, m.
+  [[nodiscard]] double grid_spacing() const { return grid_spacing_; }
+
+ private:
+  void draw_floor(const CameraView& camera, const Palette& colours) const;
+  void draw_wall_edges(const CameraView& camera, const Palette& colours) const;
+  void draw_solids(const CameraView& camera, const Palette& colours, double time) const;
+  void draw_particles(const ImageSettings& settings, const CameraView& camera, const Snapshot& snapshot,
+                      const DepthGrid& depth, const ColourMap& map, const FieldScale& scale) const;
+  Image resolve(const CameraView& camera, const Palette& colours, int width, int height);
+
+  Scene scene_;
+  std::unique_ptr<GlContext> context_;
+  ParticlePictureOptions options_;
+  double grid_spacing_;
+  SolidMesh obstacles_;
+  ParticlePainter particle_painter_;
+  SolidPainter solid_painter_;
+  ShaderProgram resolve_program_;
+  GlVertexArray resolve_array_;
+  std::optional<OffscreenTarget> samples_;
+  std::optional<OffscreenTarget> pixels_;
+};
+
+}  // namespace eisph

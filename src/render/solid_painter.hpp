@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/camera_view.hpp"
+#include "render/gl_object.hpp"
+#include "render/shader_program.hpp"
+#include "render/solid_mesh.hpp"
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+namespace eisph {
+
+/// Draws lit surfaces and line segments.
+class SolidPainter {
+ public:
+  SolidPainter(const GlFunctions& gl, const std::filesystem::path& shaders);
+
+  void draw_surface(const CameraView& camera, const std::vector<SolidMesh::Vertex>& triangles,
+                    const Colour& colour) const;
+  /// `width` in samples; target size in samples.
+  void draw_edges(const CameraView& camera, const std::vector<std::array<Vec3f, 2>>& edges,
+                  const Colour& colour, float width, int target_width, int target_height) const;
+
+ private:
+  const GlFunctions& gl_;
+  ShaderProgram surface_program_;
+  ShaderProgram edge_program_;
+  GlVertexArray surface_array_;
+  GlVertexArray edge_array_;
+  GlBuffer surface_vertices_;
+  GlBuffer edge_vertices_;
+};
+
+}  // namespace eisph
