@@ -93,13 +93,13 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
   Pipeline pipeline(make_stages(scene, files, plan), static_cast<std::size_t>(scene.output.queue_length),
                     policy);
 
-  simulation.initialise();
-  log.info("pressure at t = 0 found in {:.2f} s", simulation.summary().wall_time_initial_pressure);
-
   std::string status = "finished";
   std::string message;
-  const Stopwatch watch;
+  Stopwatch watch;
   try {
+    simulation.initialise();
+    log.info("pressure at t = 0 found in {:.2f} s", simulation.summary().wall_time_initial_pressure);
+    watch = Stopwatch();
     const LoopHooks hooks =
         make_hooks(simulation, pipeline, progress, log, settings.end_time, stop_requested);
     if (run_time_loop(simulation, plan, settings.end_time, hooks) == LoopEnd::Interrupted)

@@ -30,7 +30,8 @@ Float4 mirror_vector(const typename MirrorPlanes<Dim>::Image& image, const Float
 
 template <int Dim>
 void MirrorParticles<Dim>::find(const MirrorPlanes<Dim>& planes, const CellGrid<Dim>& grid,
-                                const Float4* rows, std::size_t count, ThreadPool& pool) {
+                                const Float4* rows, std::size_t count, ThreadPool& pool,
+                                CellSort::Workspace& workspace) {
   const std::size_t blocks = planes.empty() ? 0 : (count + kBlock - 1) / kBlock;
   block_count_.resize(blocks + 1);
   pool.run_blocks(blocks == 0 ? 0 : count, kBlock, [&](std::size_t first, std::size_t last, int) {
@@ -56,7 +57,7 @@ void MirrorParticles<Dim>::find(const MirrorPlanes<Dim>& planes, const CellGrid<
       });
     }
   });
-  sort_.sort(total, grid.cells(), pool, [&](std::size_t k) {
+  sort_.sort(total, grid.cells(), pool, workspace, [&](std::size_t k) {
     const Entry& entry = found_[k];
     const Float4 at =
         mirror_position<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)), rows[entry.origin]);

@@ -18,7 +18,7 @@ class MirrorParticles {
  public:
   /// Finds the images of the particles in rows[0..count). `rows` are positions in smoothing lengths.
   void find(const MirrorPlanes<Dim>& planes, const CellGrid<Dim>& grid, const Float4* rows, std::size_t count,
-            ThreadPool& pool);
+            ThreadPool& pool, CellSort::Workspace& workspace);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(images_.size()); }
   [[nodiscard]] const std::uint32_t* start() const { return sort_.start(); }

@@ -71,9 +71,16 @@ inline double horizontal_sum(Real value) {
 }
 template <>
 inline double horizontal_sum<Pack>(Pack value) {
+#if defined(__AVX2__)
+  const __m128 half =
+      _mm_add_ps(_mm256_castps256_ps128((__m256)value), _mm256_extractf128_ps((__m256)value, 1));
+  const __m128 quarter = _mm_add_ps(half, _mm_movehl_ps(half, half));
+  return _mm_cvtss_f32(_mm_add_ss(quarter, _mm_movehdup_ps(quarter)));
+#else
   const float low = (value[0] + value[4]) + (value[2] + value[6]);
   const float high = (value[1] + value[5]) + (value[3] + value[7]);
   return low + high;
+#endif
 }
 
 /// Four arrays of eight from eight rows of a table.
@@ -112,9 +119,19 @@ inline PackRows gather_rows(const Float4* table, const std::uint32_t* index) {
   return rows;
 }
 
-/// Appends to `out` the entries of index[0..7] whose `squared` is below `limit`, in order; returns how many.
-/// Up to eight entries may be written whatever the count.
-inline std::size_t append_below(Pack squared, float limit, const std::uint32_t* index, std::uint32_t* out) {
+/// Some of the lanes of a pack, in order.
+struct LaneSelection {
+#if defined(__AVX2__)
+  __m256i lanes;
+#else
+  std::uint32_t lanes[kPackWidth];
+#endif
+  std::size_t count = 0;
+};
+
+/// The lanes below `valid` whose value is below `limit`.
+inline LaneSelection select_below(Pack value, float limit, std::size_t valid = kPackWidth) {
+  LaneSelection selection;
 #if defined(__AVX2__)
   struct Table {
     alignas(64) std::uint8_t lane[256][8];
@@ -128,20 +145,54 @@ inline std::size_t append_below(Pack squared, float limit, const std::uint32_t* 
     }
   };
   static constexpr Table kTable;
-  const int mask = _mm256_movemask_ps(_mm256_cmp_ps((__m256)squared, _mm256_set1_ps(limit), _CMP_LT_OQ));
-  const __m256i lanes =
+  unsigned mask = static_cast<unsigned>(
+      _mm256_movemask_ps(_mm256_cmp_ps((__m256)value, _mm256_set1_ps(limit), _CMP_LT_OQ)));
+  if (valid < kPackWidth) mask &= (1U << valid) - 1U;
+  selection.lanes =
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kTable.lane[mask])));
-  const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(entries, lanes));
-  return static_cast<std::size_t>(__builtin_popcount(static_cast<unsigned>(mask)));
+  selection.count = static_cast<std::size_t>(__builtin_popcount(mask));
 #else
-  std::size_t count = 0;
   for (std::size_t k = 0; k < kPackWidth; ++k) {
-    out[count] = index[k];
-    count += squared[k] < limit ? 1 : 0;
+    selection.lanes[selection.count] = static_cast<std::uint32_t>(k);
+    selection.count += k < valid && value[k] < limit ? 1 : 0;
   }
-  return count;
 #endif
+  return selection;
+}
+
+/// Stores the selected lanes one after the other. Eight entries of `out` may be written whatever the count.
+inline void store_selected(Pack value, const LaneSelection& selection, float* out) {
+#if defined(__AVX2__)
+  _mm256_storeu_ps(out, _mm256_permutevar8x32_ps((__m256)value, selection.lanes));
+#else
+  for (std::size_t k = 0; k < selection.count; ++k) out[k] = value[selection.lanes[k]];
+#endif
+}
+inline void store_selected(const std::uint32_t* value, const LaneSelection& selection, std::uint32_t* out) {
+#if defined(__AVX2__)
+  const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(value));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(entries, selection.lanes));
+#else
+  for (std::size_t k = 0; k < selection.count; ++k) out[k] = value[selection.lanes[k]];
+#endif
+}
+
+/// Stores first + lane for the selected lanes.
+inline void store_selected_rows(std::uint32_t first, const LaneSelection& selection, std::uint32_t* out) {
+#if defined(__AVX2__)
+  const __m256i rows = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)), selection.lanes);
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), rows);
+#else
+  for (std::size_t k = 0; k < selection.count; ++k) out[k] = first + selection.lanes[k];
+#endif
+}
+
+/// Appends to `out` the entries of index[0..7] whose `squared` is below `limit`, in order; returns how many.
+/// Up to eight entries may be written whatever the count.
+inline std::size_t append_below(Pack squared, float limit, const std::uint32_t* index, std::uint32_t* out) {
+  const LaneSelection selection = select_below(squared, limit);
+  store_selected(index, selection, out);
+  return selection.count;
 }
 
 }  // namespace eisph

@@ -11,6 +11,7 @@ namespace eisph {
 /// Fixed workers for the loops of a time step. The calling thread takes part. Items are handed out one by
 /// one, so a core that is busy elsewhere (drawing, say) simply takes fewer; results must not depend on which
 /// worker treats an item. Starting a loop allocates nothing.
+/// Denormal numbers count as zero inside a body.
 class ThreadPool {
  public:
   /// `threads` in all, the caller included; at least 1.
@@ -26,10 +27,6 @@ class ThreadPool {
   template <class Body>
   void run(std::size_t items, const Body& body) {
     if (items == 0) return;
-    if (workers_.empty() || items == 1) {
-      for (std::size_t item = 0; item < items; ++item) body(item, 0);
-      return;
-    }
     dispatch(items, {&body, [](const void* context, std::size_t item, int worker) {
                        (*static_cast<const Body*>(context))(item, worker);
                      }});

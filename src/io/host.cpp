@@ -1,6 +1,5 @@
 #include "io/host.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <ctime>
@@ -35,6 +34,14 @@ std::string value_of(const std::filesystem::path& file, std::string_view key, ch
   return {};
 }
 
+/// Bytes of a value like "16384 kB"; zero if there is none.
+std::uint64_t bytes_of(const std::filesystem::path& file, std::string_view key) {
+  const std::string text = value_of(file, key, ':');
+  std::uint64_t kibibytes = 0;
+  std::from_chars(text.data(), text.data() + text.size(), kibibytes);
+  return 1024 * kibibytes;
+}
+
 unsigned usable_cores() {
   cpu_set_t cores;
   CPU_ZERO(&cores);
@@ -61,17 +68,18 @@ HostInfo host_info(const std::filesystem::path& root) {
   host.name = system.nodename;
   host.cpu_model = value_of(root / "proc/cpuinfo", "model name", ':');
   host.cores = usable_cores();
-  const std::string memory = value_of(root / "proc/meminfo", "MemTotal", ':');  // "16384 kB"
-  std::uint64_t kibibytes = 0;
-  std::from_chars(memory.data(), memory.data() + memory.size(), kibibytes);
-  host.memory_bytes = 1024 * kibibytes;
+  host.memory_bytes = bytes_of(root / "proc/meminfo", "MemTotal");
   const std::string distribution = value_of(root / "etc/os-release", "PRETTY_NAME", '=');
   const std::string kernel = fmt::format("{} {}", system.sysname, system.release);
   host.os = distribution.empty() ? kernel : fmt::format("{}, {}", distribution, kernel);
   return host;
 }
 
-std::uint64_t peak_rss_bytes() { return 1024 * static_cast<std::uint64_t>(own_usage().ru_maxrss); }
+std::uint64_t peak_rss_bytes() {
+  // ru_maxrss would include the size that the starting process had before it turned into this program.
+  const std::uint64_t bytes = bytes_of("/proc/self/status", "VmHWM");
+  return bytes > 0 ? bytes : 1024 * static_cast<std::uint64_t>(own_usage().ru_maxrss);
+}
 
 double cpu_time() {
   const rusage usage = own_usage();

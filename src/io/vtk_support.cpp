@@ -46,8 +46,8 @@ bool is_complete(const std::filesystem::path& path) {
 }
 
 std::string described(bool floating, std::size_t element_size, int components, std::size_t count) {
-  return fmt::format("{} x {} values of {}{} bits", count, components, floating ? "float" : "integer",
-                     8 * element_size);
+  return fmt::format("{} x {} {}-bit {}", count, components, 8 * element_size,
+                     floating ? "floats" : "integers");
 }
 
 }  // namespace

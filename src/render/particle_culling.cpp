@@ -8,9 +8,9 @@ namespace eisph {
 
 namespace {
 
-constexpr float kCellSpacings = 2.5F;    ///< edge of a cell, in particle spacings
-constexpr std::uint8_t kFilledFrom = 9;  ///< particles in a cell; a full one holds about 16
-constexpr double kLargestGrid = 6.4e7;   ///< cells
+constexpr float kCellSpacings = 3.0F;     ///< edge of a cell, in particle spacings
+constexpr std::uint8_t kFilledFrom = 14;  ///< particles: half a full cell, more than a single layer
+constexpr double kLargestGrid = 6.4e7;    ///< cells
 
 /// Cells around the particles, with one empty layer on each side.
 class CellGrid {

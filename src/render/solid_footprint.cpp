@@ -3,6 +3,7 @@
 #include "render/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace eisph {
@@ -30,11 +31,27 @@ Shape raised(Shape shape, double lift) {
   return shape;
 }
 
+/// A box that ends at a symmetry plane goes on behind it: no outline there.
+Shape continued(Shape shape, const Scene& scene) {
+  if (shape.kind != ShapeKind::Box || shape.rotation_z != 0.0) return shape;
+  const double touching = 1e-6 * (scene.domain_max - scene.domain_min).norm();
+  for (int axis = 0; axis < 2; ++axis) {
+    const double size = shape.max[axis] - shape.min[axis];
+    const auto ends_at = [&](int face, double end, double plane) {
+      const bool symmetric = scene.faces[static_cast<std::size_t>(face)].kind == FaceKind::Symmetry;
+      return symmetric && std::abs(end - plane) < touching;
+    };
+    if (ends_at(2 * axis, shape.min[axis], scene.domain_min[axis])) shape.min[axis] -= size;
+    if (ends_at(2 * axis + 1, shape.max[axis], scene.domain_max[axis])) shape.max[axis] += size;
+  }
+  return shape;
+}
+
 }  // namespace
 
 SolidFootprint::SolidFootprint(const Scene& scene, double time) : dimension_(scene.dimension) {
   const auto add = [&](const Shape& shape, bool gate) {
-    shapes_.push_back({dimension_ == 3 ? upright(shape) : shape, gate});
+    shapes_.push_back({dimension_ == 3 ? upright(continued(shape, scene)) : shape, gate});
   };
   for (const Obstacle& obstacle : scene.obstacles) add(obstacle.shape, false);
   for (const Gate& gate : scene.gates) {

@@ -154,7 +154,7 @@ std::uint64_t EisphSolver<Dim>::state_bytes(std::map<std::string, double>* by_ar
   bytes["id"] = static_cast<double>(id_.bytes() + scratch_id_.bytes());
   bytes["density_and_coefficient"] =
       static_cast<double>(number_density_.bytes() + coefficient_.bytes() + source_term_.bytes());
-  bytes["sort"] = static_cast<double>(scratch_.bytes() + fluid_sort_.bytes());
+  bytes["sort"] = static_cast<double>(scratch_.bytes() + fluid_sort_.bytes() + sort_workspace_.bytes());
   bytes["neighbour_lists"] = static_cast<double>(neighbours_.bytes());
   bytes["source_table"] = static_cast<double>(table_.bytes());
   bytes["mirror_images"] = static_cast<double>(fluid_images_.bytes() + object_images_.bytes());

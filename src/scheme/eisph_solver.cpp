@@ -13,6 +13,8 @@ namespace eisph {
 namespace {
 
 constexpr std::size_t kBlock = 1024;
+/// Height of the cell grid in units of the initial height of the water.
+constexpr double kGridHeight = 1.5;
 /// Blow-up: speeds beyond this many times the largest that gravity and the initial state explain.
 constexpr double kSpeedLimitFactor = 20.0;
 
@@ -37,8 +39,12 @@ EisphSolver<Dim>::EisphSolver(const Scene& scene, int threads)
     extent_[d] = scene.domain_max[axis] - scene.domain_min[axis];
     cells[d] = extent_[d] / h_;
   }
-  grid_ = CellGrid<Dim>(cells);
   place_particles();
+  // Cells up to well above the water; the few particles that fly higher share the topmost ones.
+  double top = 0.0;
+  for (std::uint32_t i = 0; i < fluid_; ++i) top = std::max(top, position_[Dim - 1][i]);
+  cells[Dim - 1] = std::min(cells[Dim - 1], kGridHeight * top / h_ + cubic_spline::kSupport);
+  grid_ = CellGrid<Dim>(cells);
 }
 
 template <int Dim>
@@ -46,11 +52,11 @@ void EisphSolver<Dim>::place_particles() {
   const FluidLattice lattice = fluid_lattice(scene_);
   fluid_ = static_cast<std::uint32_t>(lattice.position.size());
   initial_fluid_ = fluid_;
-  for (auto& component : position_) component.resize(fluid_);
-  for (auto& component : velocity_) component.resize(fluid_);
-  pressure_.resize(fluid_);
+  for (auto& component : position_) component.resize_exactly(fluid_);
+  for (auto& component : velocity_) component.resize_exactly(fluid_);
+  pressure_.resize_exactly(fluid_);
   pressure_.fill(0.0F);
-  id_.resize(fluid_);
+  id_.resize_exactly(fluid_);
   double fastest = 0.0;
   for (std::uint32_t i = 0; i < fluid_; ++i) {
     for (int d = 0; d < Dim; ++d) {
@@ -66,7 +72,7 @@ void EisphSolver<Dim>::place_particles() {
       std::sqrt(2.0 * scene_.gravity.norm() * (scene_.domain_max - scene_.domain_min).maxCoeff());
   speed_limit_ = kSpeedLimitFactor * std::max({scene_.reference_speed(), fall, fastest});
   for (AlignedBuffer<float>* array : {&number_density_, &coefficient_, &total_pressure_}) {
-    array->resize(fluid_);
+    array->resize_exactly(fluid_);
     array->fill(0.0F);
   }
 }
@@ -176,7 +182,7 @@ void EisphSolver<Dim>::sort_fluid() {
     return false;
   };
   const std::size_t cells = grid_.cells();
-  fluid_sort_.sort(fluid_, cells, pool_, [&](std::size_t i) {
+  fluid_sort_.sort(fluid_, cells, pool_, sort_workspace_, [&](std::size_t i) {
     if (any_open && gone(i)) return static_cast<std::uint32_t>(cells);
     float xi[Dim];
     for (int d = 0; d < Dim; ++d) xi[d] = static_cast<float>(position_[d][i] * to_units);
@@ -200,7 +206,7 @@ void EisphSolver<Dim>::sort_fluid() {
       velocities[k] = velocity;
     }
   });
-  scratch_.resize(fluid_);
+  scratch_.resize_exactly(fluid_);
   for (int d = 0; d < Dim; ++d) {
     pool_.run_blocks(left, kBlock, [&](std::size_t first, std::size_t last, int) {
       for (std::size_t k = first; k < last; ++k) {
@@ -210,8 +216,10 @@ void EisphSolver<Dim>::sort_fluid() {
     });
     position_[d].swap(scratch_);
   }
-  scratch_id_.resize(fluid_);
-  for (std::uint32_t k = 0; k < left; ++k) scratch_id_[k] = id_[order[k]];
+  scratch_id_.resize_exactly(fluid_);
+  pool_.run_blocks(left, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) scratch_id_[k] = id_[order[k]];
+  });
   id_.swap(scratch_id_);
   fluid_ = left;
 }
@@ -226,7 +234,8 @@ void EisphSolver<Dim>::fill_objects() {
     unsorted[k] = {static_cast<float>(relative.x()), static_cast<float>(relative[scene_axis<Dim>(1)]),
                    Dim == 3 ? static_cast<float>(relative.z()) : 0.0F, 0.0F};
   }
-  object_sort_.sort(count, grid_.cells(), pool_, [&](std::size_t k) { return grid_.index(&unsorted[k].x); });
+  object_sort_.sort(count, grid_.cells(), pool_, sort_workspace_,
+                    [&](std::size_t k) { return grid_.index(&unsorted[k].x); });
   for (auto& rows : object_rows_) rows.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::uint32_t from = object_sort_.order()[k];
@@ -236,7 +245,7 @@ void EisphSolver<Dim>::fill_objects() {
     velocity.w = viscous ? static_cast<float>(solids_.volume(from)) : 0.0F;
     object_rows_[1][k] = velocity;
   }
-  object_images_.find(planes_, grid_, object_rows_[0].data(), count, pool_);
+  object_images_.find(planes_, grid_, object_rows_[0].data(), count, pool_, sort_workspace_);
   object_pressure_.resize(count);
   object_coefficient_.resize(count);
 }
@@ -257,23 +266,25 @@ void EisphSolver<Dim>::place_boundaries() {
     std::copy_n(keep[0].data(), fluid_, fluid_rows(table_.position));
     std::copy_n(keep[1].data(), fluid_, fluid_rows(table_.velocity));
   }
-  fluid_images_.find(planes_, grid_, fluid_rows(table_.position), fluid_, pool_);
+  fluid_images_.find(planes_, grid_, fluid_rows(table_.position), fluid_, pool_, sort_workspace_);
   const auto objects = static_cast<std::uint32_t>(solids_.size());
   table_.lay_out(objects, object_images_.size(), fluid_, fluid_images_.size());
   ghost_particles_max_ = std::max<std::uint64_t>(ghost_particles_max_, fluid_images_.size());
 
-  for (std::uint32_t k = 0; k < objects; ++k) {
-    const std::uint32_t from = object_sort_.order()[k];
-    Float4 position = object_rows_[0][k];
-    position.w = solids_.pressure(from);
-    table_.position[table_.first_object + k] = position;
-    table_.velocity[table_.first_object + k] = object_rows_[1][k];
-    // What drives the pressure at a solid is its own motion alone.
-    Float4 source = object_rows_[1][k];
-    (&source.x)[Dim - 1] *= static_cast<float>(scene_.scheme.source_factor);
-    source.w = static_cast<float>(solids_.volume(from));
-    table_.source[table_.first_object + k] = source;
-  }
+  pool_.run_blocks(objects, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t from = object_sort_.order()[k];
+      Float4 position = object_rows_[0][k];
+      position.w = solids_.pressure(from);
+      table_.position[table_.first_object + k] = position;
+      table_.velocity[table_.first_object + k] = object_rows_[1][k];
+      // What drives the pressure at a solid is its own motion alone.
+      Float4 source = object_rows_[1][k];
+      (&source.x)[Dim - 1] *= static_cast<float>(scene_.scheme.source_factor);
+      source.w = static_cast<float>(solids_.volume(from));
+      table_.source[table_.first_object + k] = source;
+    }
+  });
   const Float4* positions = table_.position.data() + table_.first_object;
   const auto image = [&](AlignedBuffer<Float4>& rows) { return rows.data() + table_.first_object_image; };
   object_images_.mirror_positions(planes_, positions, image(table_.position), pool_);

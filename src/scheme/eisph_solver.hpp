@@ -133,6 +133,7 @@ class EisphSolver final : public Simulation {
   // Work space of a step.
   AlignedBuffer<double> scratch_;
   AlignedBuffer<std::uint32_t> scratch_id_;
+  CellSort::Workspace sort_workspace_;
   CellSort fluid_sort_;
   MirrorParticles<Dim> fluid_images_;
   CellSort object_sort_;

@@ -225,10 +225,12 @@ void EisphSolver<Dim>::publish_pressure(bool with_correction) {
   pool_.run_blocks(fluid_, 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) rows[i].w = fluid[i];
   });
-  for (std::size_t k = 0; k < solids_.size(); ++k) {
-    table_.position[table_.first_object + k].w = object_pressure_[k];
-    solids_.pressure(object_sort_.order()[k]) = object_pressure_[k];
-  }
+  pool_.run_blocks(solids_.size(), 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      table_.position[table_.first_object + k].w = object_pressure_[k];
+      solids_.pressure(object_sort_.order()[k]) = object_pressure_[k];
+    }
+  });
   mirror_pressure();
 }
 

@@ -13,29 +13,39 @@ namespace eisph {
 /// independent of the number of threads.
 class CellSort {
  public:
+  /// Storage needed only while sorting, to be shared by sorts that follow each other.
+  struct Workspace {
+    AlignedBuffer<std::uint32_t> keys;
+    AlignedBuffer<std::uint32_t> histogram;
+
+    [[nodiscard]] std::size_t bytes() const { return keys.bytes() + histogram.bytes(); }
+  };
+
   /// key(i) gives the cell of particle i, in [0, cells). Keys of `cells` and above put particles at the end,
   /// beyond start()[cells].
   template <class Key>
-  void sort(std::size_t count, std::size_t cells, ThreadPool& pool, const Key& key) {
+  void sort(std::size_t count, std::size_t cells, ThreadPool& pool, Workspace& workspace, const Key& key) {
     const auto threads = static_cast<std::size_t>(pool.threads());
-    keys_.resize(count);
+    AlignedBuffer<std::uint32_t>& keys = workspace.keys;
+    keys.resize(count);
     order_.resize(count);
-    start_.resize(cells + 2);
-    histogram_.resize(threads * (cells + 1));
+    start_.resize_exactly(cells + 2);
+    workspace.histogram.resize_exactly(threads * (cells + 1));
+    std::uint32_t* const histograms = workspace.histogram.data();
     const auto bounds = [&](std::size_t thread) { return count * thread / threads; };
     pool.run(threads, [&](std::size_t thread, int) {
-      std::uint32_t* histogram = histogram_.data() + thread * (cells + 1);
+      std::uint32_t* histogram = histograms + thread * (cells + 1);
       std::fill_n(histogram, cells + 1, 0U);
       for (std::size_t i = bounds(thread); i < bounds(thread + 1); ++i) {
-        keys_[i] = key(i);
-        ++histogram[keys_[i]];
+        keys[i] = key(i);
+        ++histogram[keys[i]];
       }
     });
     std::uint32_t total = 0;
     for (std::size_t cell = 0; cell <= cells; ++cell) {
       start_[cell] = total;
       for (std::size_t thread = 0; thread < threads; ++thread) {
-        std::uint32_t& slot = histogram_[thread * (cells + 1) + cell];
+        std::uint32_t& slot = histograms[thread * (cells + 1) + cell];
         const std::uint32_t here = slot;
         slot = total;
         total += here;
@@ -43,24 +53,20 @@ class CellSort {
     }
     start_[cells + 1] = total;
     pool.run(threads, [&](std::size_t thread, int) {
-      std::uint32_t* slot = histogram_.data() + thread * (cells + 1);
+      std::uint32_t* slot = histograms + thread * (cells + 1);
       for (std::size_t i = bounds(thread); i < bounds(thread + 1); ++i) {
-        order_[slot[keys_[i]]++] = static_cast<std::uint32_t>(i);
+        order_[slot[keys[i]]++] = static_cast<std::uint32_t>(i);
       }
     });
   }
 
   [[nodiscard]] const std::uint32_t* order() const { return order_.data(); }
   [[nodiscard]] const std::uint32_t* start() const { return start_.data(); }
-  [[nodiscard]] std::size_t bytes() const {
-    return keys_.bytes() + order_.bytes() + start_.bytes() + histogram_.bytes();
-  }
+  [[nodiscard]] std::size_t bytes() const { return order_.bytes() + start_.bytes(); }
 
  private:
-  AlignedBuffer<std::uint32_t> keys_;
   AlignedBuffer<std::uint32_t> order_;
   AlignedBuffer<std::uint32_t> start_;
-  AlignedBuffer<std::uint32_t> histogram_;
 };
 
 }  // namespace eisph

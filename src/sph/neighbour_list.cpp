@@ -7,19 +7,17 @@ namespace {
 constexpr std::size_t kCellsPerItem = 48;
 constexpr float kSupportSquared = 4.0F;
 
-/// Eight consecutive rows of the table to eight consecutive entries of three arrays.
-void copy_rows(const Float4* rows, float* x, float* y, float* z) {
-  static constexpr std::uint32_t kConsecutive[kPackWidth] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const PackRows columns = gather_rows(rows, kConsecutive);
-  __builtin_memcpy(x, &columns.x, sizeof(Pack));
-  __builtin_memcpy(y, &columns.y, sizeof(Pack));
-  __builtin_memcpy(z, &columns.z, sizeof(Pack));
-}
+constexpr std::uint32_t kConsecutive[kPackWidth] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 Pack load(const float* values) {
   Pack pack;
   __builtin_memcpy(&pack, values, sizeof(Pack));
   return pack;
+}
+
+/// How far the coordinate lies outside [lower, upper].
+Pack excess(Pack coordinate, float lower, float upper) {
+  return positive_part(splat<Pack>(lower) - coordinate) + positive_part(coordinate - splat<Pack>(upper));
 }
 
 }  // namespace
@@ -68,6 +66,9 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
   std::size_t count = 0;
   worker.has_fluid = false;
   const auto at = grid.coordinates(cell);
+  std::array<float, Dim> lower;
+  std::array<float, Dim> upper;
+  grid.bounds(at, lower, upper);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const SourceGroup& group = groups[g];
     if (group.empty) continue;
@@ -82,11 +83,23 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
         worker.index.resize(2 * needed);
       }
       for (std::uint32_t row = first; row < last; row += kPackWidth) {
-        copy_rows(&table.position[row], &worker.x[count], &worker.y[count], &worker.z[count]);
-        for (std::uint32_t k = 0; k < kPackWidth; ++k) worker.index[count + k] = row + k;
-        count += kPackWidth;
+        // Only what is within reach of the cell's box; the last pack may hold rows of other cells, cut off
+        // here.
+        const PackRows columns = gather_rows(&table.position[row], kConsecutive);
+        const Pack x = excess(columns.x, lower[0], upper[0]);
+        const Pack y = excess(columns.y, lower[1], upper[1]);
+        Pack squared = x * x + y * y;
+        if constexpr (Dim == 3) {
+          const Pack z = excess(columns.z, lower[2], upper[2]);
+          squared += z * z;
+        }
+        const LaneSelection near = select_below(squared, kSupportSquared, last - row);
+        store_selected(columns.x, near, &worker.x[count]);
+        store_selected(columns.y, near, &worker.y[count]);
+        store_selected(columns.z, near, &worker.z[count]);
+        store_selected_rows(row, near, &worker.index[count]);
+        count += near.count;
       }
-      count -= (kPackWidth - (last - first) % kPackWidth) % kPackWidth;
     });
     if (g >= 2 && count > before) worker.has_fluid = true;
   }

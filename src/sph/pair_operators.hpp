@@ -20,6 +20,16 @@ struct Vector {
   Real x[Dim];
 };
 
+template <int Dim, class Real>
+inline Vector<Dim, Real> zero_vector() {
+  const Real zero = splat<Real>(0.0);
+  if constexpr (Dim == 2) {
+    return {{zero, zero}};
+  } else {
+    return {{zero, zero, zero}};
+  }
+}
+
 /// xi_i - xi_j and what the kernel makes of it.
 template <int Dim, class Real>
 struct PairGeometry {
@@ -80,7 +90,7 @@ struct DensitySum {
 /// alpha/h^2.
 template <int Dim, class Real>
 struct ViscousSum {
-  Vector<Dim, Real> value{};
+  Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
   void add(const PairGeometry<Dim, Real>& pair, Real weight, Real volume_j, const Vector<Dim, Real>& u_i,
            const Vector<Dim, Real>& u_j) {
@@ -108,7 +118,7 @@ struct DivergenceSum {
 /// Pressure gradient sum V_j (P_i + P_j) grad W_ij (thesis (3.23) at constant density), without alpha/h, Pa.
 template <int Dim, class Real>
 struct PressureGradientSum {
-  Vector<Dim, Real> value{};
+  Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
   void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real pressure_i, Real pressure_j) {
     const Real scale = volume_j * (pressure_i + pressure_j) * pair.gradient;

@@ -44,7 +44,7 @@ TEST(HostInfo, DescribesThisMachine) {
 }
 
 TEST(PeakRss, GrowsWithTheMemoryInUse) {
-  constexpr std::size_t kBytes = 64 << 20;
+  constexpr std::size_t kBytes = 128 << 20;
   const std::uint64_t before = peak_rss_bytes();
   const std::vector<char> block(kBytes, 1);
   EXPECT_GE(peak_rss_bytes(), before + kBytes / 2) << block.back();

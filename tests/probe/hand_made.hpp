@@ -3,7 +3,10 @@
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace eisph {
@@ -42,7 +45,7 @@ inline Snapshot hand_made_snapshot(const Scene& scene, std::vector<Vec3f> positi
 /// Lattice of particles that fills the box from the lower corner of the domain to `size` beyond it.
 inline std::vector<Vec3f> lattice(const Scene& scene, const Vec3d& size) {
   const double dx = scene.particle_spacing;
-  const auto count = [dx](double length) { return static_cast<int>(length / dx + 0.5); };
+  const auto count = [dx](double length) { return static_cast<int>(std::lround(length / dx)); };
   const int rows = scene.dimension == 2 ? 1 : count(size.y());
   std::vector<Vec3f> positions;
   for (int k = 0; k < count(size.z()); ++k) {
@@ -50,7 +53,7 @@ inline std::vector<Vec3f> lattice(const Scene& scene, const Vec3d& size) {
       for (int i = 0; i < count(size.x()); ++i) {
         Vec3d position = scene.domain_min + dx * Vec3d(i + 0.5, j + 0.5, k + 0.5);
         if (scene.dimension == 2) position.y() = 0.0;
-        positions.push_back(position.cast<float>());
+        positions.emplace_back(position.cast<float>());
       }
     }
   }

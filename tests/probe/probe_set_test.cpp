@@ -3,8 +3,9 @@
 #include "probe/hand_made.hpp"
 
 #include <cmath>
-#include <limits>
-#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -13,7 +14,6 @@ namespace {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
-using testing::IsEmpty;
 using testing::IsNan;
 using testing::SizeIs;
 
@@ -111,8 +111,10 @@ TEST(ProbeSet, VisitsEveryDueTimeWhenDrivenByNextDue) {
   Scene scene = scene_with_probes(2);
   MemoryTables tables;
   ProbeSet probes(scene, tables);
-  for (double time = 0.0; time <= 1.0 + 1e-9; time = probes.next_due(time)) {
+  double time = 0.0;
+  while (time <= 1.0 + 1e-9) {
     probes.record(hand_made_snapshot(scene, {}, time));
+    time = probes.next_due(time);
   }
   EXPECT_THAT(tables.rows("gauge_wall"), SizeIs(11));
   EXPECT_THAT(tables.rows("probe_bed"), SizeIs(5));

@@ -1,0 +1,122 @@
+#include "app/scene_report.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace eisph {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A tank of 10 x 10 x 10 water particles with an obstacle, and nothing doubtful about it.
+Scene sound_scene() {
+  Scene scene;
+  scene.name = "tank";
+  scene.source_file = "tank.toml";
+  scene.dimension = 3;
+  scene.end_time = 1.0;
+  scene.particle_spacing = 0.01;
+  scene.reference_depth = 0.1;
+  scene.domain_max = {0.5, 0.1, 0.3};
+  FluidRegion water;
+  water.shape.max = {0.1, 0.1, 0.1};
+  scene.fluid = {water};
+  Obstacle obstacle;
+  obstacle.name = "block";
+  obstacle.shape.min = {0.3, 0.0, 0.0};
+  obstacle.shape.max = {0.32, 0.1, 0.1};
+  scene.obstacles = {obstacle};
+  scene.scheme.phi = 0.17;
+  return scene;
+}
+
+SimulationPlan plan_of(const Scene& scene) {
+  SimulationPlan plan;
+  plan.fluid_particles = 1000;
+  plan.object_particles = 200;
+  plan.time_step = scene.scheme.phi * scene.particle_spacing / scene.reference_speed();
+  plan.effective_sound_speed = 10.0 * scene.reference_speed();
+  plan.estimated_bytes = 500000;
+  plan.estimated_steps = 1200;
+  return plan;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene) { return scene_warnings(scene, plan_of(scene)); }
+
+TEST(SceneWarnings, OfASoundSceneAreNone) { EXPECT_THAT(warnings_of(sound_scene()), IsEmpty()); }
+
+TEST(SceneWarnings, NameSolidsThinnerThanOneAndAHalfSpacings) {
+  Scene scene = sound_scene();
+  scene.obstacles[0].shape.max.x() = 0.314;
+  Gate gate;
+  gate.name = "slide";
+  gate.shape.kind = ShapeKind::Cylinder;
+  gate.shape.radius = 0.007;
+  gate.shape.height = 0.1;
+  scene.gates = {gate};
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("obstacle \"block\" is 0.014 m thin")));
+  scene.gates[0].shape.radius = 0.005;
+  EXPECT_THAT(warnings_of(scene),
+              ElementsAre(HasSubstr("\"block\""), HasSubstr("gate \"slide\" is 0.01 m thin")));
+}
+
+TEST(SceneWarnings, TellOfATimeStepTooLargeForObjects) {
+  Scene scene = sound_scene();
+  scene.scheme.phi = 0.2;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("above 0.17 in a scene with objects")));
+  SimulationPlan plan = plan_of(scene);
+  plan.object_particles = 0;
+  EXPECT_THAT(scene_warnings(scene, plan), IsEmpty());
+}
+
+TEST(SceneWarnings, TellOfATimeStepTooLargeForWalls) {
+  Scene scene = sound_scene();
+  scene.scheme.phi = 0.3;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 0.3 at t = 0, above 0.25")));
+}
+
+TEST(SceneWarnings, TellWhenTheViscousLimitGoverns) {
+  Scene scene = sound_scene();
+  scene.kinematic_viscosity = 1.0;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("viscous limit governs")));
+}
+
+TEST(SceneWarnings, TellWhenTheLatticeDoesNotFillTheWater) {
+  Scene scene = sound_scene();
+  scene.fluid[0].shape.max.z() = 0.105;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("-4.8 %")));
+}
+
+TEST(SceneReport, StatesParticlesMemoryTimeStepAndSound) {
+  const Scene scene = sound_scene();
+  const std::string report = scene_report(scene, plan_of(scene), 8'000'000'000);
+  EXPECT_THAT(report, HasSubstr("1000 fluid, 200 object"));
+  EXPECT_THAT(report, HasSubstr("0.5 MB of solver state, 8e+03 MB available"));
+  EXPECT_THAT(report, HasSubstr("about 1200 steps"));
+  EXPECT_THAT(report, HasSubstr("Mach number 0.1"));
+}
+
+TEST(SceneReport, CountsTheOutputs) {
+  Scene scene = sound_scene();
+  scene.output.particles.interval = 0.25;
+  scene.output.depth.times = {0.5, 2.0};
+  ImageSettings image;
+  image.name = "view";
+  image.schedule.times = {0.2, 0.4, 1.0};
+  scene.images = {image};
+  Gauge gauge;
+  gauge.name = "upstream";
+  gauge.interval = 0.1;
+  scene.gauges = {gauge};
+  const std::string report = scene_report(scene, plan_of(scene), 1);
+  EXPECT_THAT(report, HasSubstr("3 of \"view\": particles, speed, 1280 x 720"));
+  EXPECT_THAT(report, HasSubstr("5 .vtp files"));
+  EXPECT_THAT(report, HasSubstr("1 .vti files"));
+  EXPECT_THAT(report, HasSubstr("upstream at (0, 0) m, 11 rows"));
+}
+
+}  // namespace
+}  // namespace eisph

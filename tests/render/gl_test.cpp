@@ -1,0 +1,93 @@
+#include "core/assets.hpp"
+#include "core/error.hpp"
+#include "render/frame_renderer.hpp"
+#include "render/offscreen_target.hpp"
+#include "render/os_mesa_context.hpp"
+#include "render/shader_program.hpp"
+#include "render/synthetic_scene.hpp"
+#include "render/temporary_folder.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+namespace eisph {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(OsMesaContext, AMissingLibraryNamesThePackage) {
+  EXPECT_THAT([] { OsMesaContext context("libno_such_mesa.so.1"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("libno_such_mesa.so.1"), HasSubstr("libosmesa6"))));
+}
+
+TEST(OsMesaContext, TwoOnOneThreadDrawApart) {
+  OsMesaContext first;
+  const OffscreenTarget red(first.functions(), 4, 4);
+  OsMesaContext second;
+  const OffscreenTarget green(second.functions(), 4, 4);
+  first.make_current();
+  red.begin({1.0F, 0.0F, 0.0F});
+  second.make_current();
+  green.begin({0.0F, 1.0F, 0.0F});
+  first.make_current();
+  EXPECT_EQ(red.read().rgb[0], 255);
+  second.make_current();
+  EXPECT_EQ(green.read().rgb[0], 0);
+  first.make_current();
+}
+
+TEST(OffscreenTarget, SizesBeyondTheDriverAreRefused) {
+  const OsMesaContext context;
+  EXPECT_THROW(OffscreenTarget(context.functions(), 100'000, 10), std::runtime_error);
+}
+
+TEST(ShaderProgram, MissingAndBrokenFilesAreReportedByName) {
+  const TemporaryFolder folder;
+  const OsMesaContext context;
+  const auto make = [&] { const ShaderProgram program(context.functions(), folder.path(), "test"); };
+  EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("test.vert"), HasSubstr("cannot be read"))));
+  std::ofstream(folder.path() / "test.vert")
+      << "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
+  std::ofstream(folder.path() / "test.frag") << "#version 330 core\nvoid main() { undeclared = 1.0; }\n";
+  EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("test.frag"), HasSubstr("undeclared"))));
+  std::ofstream(folder.path() / "test.frag")
+      << "#version 330 core\nin vec3 unknown; out vec4 c;\nvoid main() { c = vec4(unknown, 1.0); }\n";
+  EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("do not link"), HasSubstr("unknown"))));
+}
+
+/// Sets EISPH_HOME while it lives.
+class HomeFolder {
+ public:
+  explicit HomeFolder(const std::filesystem::path& path) { setenv("EISPH_HOME", path.c_str(), 1); }
+  HomeFolder(const HomeFolder&) = delete;
+  HomeFolder& operator=(const HomeFolder&) = delete;
+  ~HomeFolder() { unsetenv("EISPH_HOME"); }
+};
+
+TEST(FrameRenderer, MissingShadersAndColourMapsAreReportedByPath) {
+  const TemporaryFolder folder;
+  const HomeFolder home(folder.path());
+  synthetic::State state = synthetic::tank(0.05);
+  FrameRenderer renderer(state.scene);
+  ImageSettings settings;
+  EXPECT_THAT([&] { renderer.draw(settings, state.snapshot, state.depth); },
+              ThrowsMessage<InputError>(HasSubstr((folder.path() / "assets").string())));
+  std::filesystem::copy(std::filesystem::path(EISPH_SOURCE_DIR) / "assets", folder.path() / "assets",
+                        std::filesystem::copy_options::recursive);
+  EXPECT_THAT([&] { renderer.draw(settings, state.snapshot, state.depth); },
+              ThrowsMessage<InputError>(HasSubstr((folder.path() / "shaders" / "particle.vert").string())));
+}
+
+TEST(FrameRenderer, AMissingShaderIsReportedAtTheStartWhenTheSceneNeedsIt) {
+  const TemporaryFolder folder;
+  const HomeFolder home(folder.path());
+  Scene scene = synthetic::tank_scene(0.05);
+  scene.images.emplace_back();
+  EXPECT_THROW(FrameRenderer{scene}, InputError);
+}
+
+}  // namespace
+}  // namespace eisph

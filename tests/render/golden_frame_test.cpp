@@ -1,0 +1,195 @@
+// Frames of made-up states against the pictures in golden/. A pixel counts as different when one of its
+// channels differs by more than 8 of 255; 0.5 % of the pixels may, since the software renderer need not give
+// the same bits on every processor. After a wanted change, look at the frames that the failing tests name,
+// then run the tests with EISPH_UPDATE_GOLDEN=1 in the environment, which writes the present frames to
+// golden/.
+
+#include "render/frame_renderer.hpp"
+#include "render/png_file.hpp"
+#include "render/synthetic_scene.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include <gmock/gmock.h>
+
+namespace eisph {
+namespace {
+
+constexpr int kLargestDifference = 8;
+constexpr double kDifferentPixels = 0.005;
+
+double different_pixels(const Image& first, const Image& second) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < first.rgb.size(); k += 3) {
+    int largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(first.rgb[k + c] - second.rgb[k + c]));
+    if (largest > kLargestDifference) ++count;
+  }
+  return static_cast<double>(count) / (static_cast<double>(first.rgb.size()) / 3.0);
+}
+
+void expect_golden(const std::string& name, const Image& frame) {
+  const auto golden =
+      std::filesystem::path(EISPH_SOURCE_DIR) / "tests" / "render" / "golden" / (name + ".png");
+  if (std::getenv("EISPH_UPDATE_GOLDEN") != nullptr) {  // NOLINT(concurrency-mt-unsafe)
+    write_png(golden, frame, {});
+    return;
+  }
+  const Image expected = read_png(golden).image;
+  ASSERT_EQ(expected.width, frame.width);
+  ASSERT_EQ(expected.height, frame.height);
+  const double different = different_pixels(expected, frame);
+  if (different > kDifferentPixels) {
+    const auto actual = std::filesystem::temp_directory_path() / ("eisph_" + name + ".png");
+    write_png(actual, frame, {});
+    ADD_FAILURE() << 100.0 * different << " % of the pixels differ from " << golden << "; the frame is "
+                  << actual;
+  }
+}
+
+class GoldenFrame : public ::testing::Test {
+ protected:
+  static ImageSettings small(ImageKind kind = ImageKind::Particles) {
+    ImageSettings settings;
+    settings.kind = kind;
+    settings.width = 320;
+    settings.height = 240;
+    if (kind == ImageKind::DepthMap) settings.colour_map = "depth_blue";
+    return settings;
+  }
+  static Image draw(const synthetic::State& state, const ImageSettings& settings) {
+    return FrameRenderer(state.scene).draw(settings, state.snapshot, state.depth);
+  }
+  /// Half-way opened gate in the breach, and obstacles of the other shapes.
+  static synthetic::State furnished_tank() {
+    synthetic::State state = synthetic::tank(0.02);
+    Gate gate;
+    gate.shape = synthetic::box("", {0.8, 0.45, 0.0}, {0.825, 0.75, 0.2}).shape;
+    gate.motion = GateMotion::Lift;
+    gate.speed = 0.25;
+    gate.stroke = 0.2;
+    state.scene.gates.push_back(gate);
+    state.scene.obstacles.push_back(synthetic::box("turned", {2.1, 0.1, 0.0}, {2.4, 0.2, 0.15}, 0.6));
+    Obstacle pillar;
+    pillar.shape.kind = ShapeKind::Cylinder;
+    pillar.shape.centre = Vec3d(2.2, 0.6, 0.0);
+    pillar.shape.radius = 0.1;
+    pillar.shape.height = 0.2;
+    state.scene.obstacles.push_back(pillar);
+    Obstacle ball;
+    ball.shape.kind = ShapeKind::Sphere;
+    ball.shape.centre = Vec3d(2.25, 1.0, 0.12);
+    ball.shape.radius = 0.12;
+    state.scene.obstacles.push_back(ball);
+    return state;
+  }
+};
+
+TEST_F(GoldenFrame, ParticlesInPerspective) { expect_golden("perspective", draw(furnished_tank(), small())); }
+
+TEST_F(GoldenFrame, ParticlesFromAGivenCameraOnADarkPage) {
+  ImageSettings settings = small();
+  settings.dark_background = true;
+  settings.camera = Camera{};
+  settings.camera->eye = Vec3d(2.8, 0.6, 0.5);
+  settings.camera->target = Vec3d(1.3, 0.6, 0.0);
+  expect_golden("close_dark", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, OrthographicFromAbove) {
+  ImageSettings settings = small();
+  settings.camera = Camera{};
+  settings.camera->projection = Projection::Orthographic;
+  settings.camera->eye = Vec3d(1.3, 0.6, 3.0);
+  settings.camera->target = Vec3d(1.3, 0.6, 0.0);
+  settings.camera->up = Vec3d::UnitY();
+  settings.camera->orthographic_height = 2.2;
+  expect_golden("orthographic_above", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, TwoDimensions) {
+  expect_golden("two_dimensions", draw(synthetic::channel(0.02), small()));
+}
+
+TEST_F(GoldenFrame, WithoutWallsAndObstacles) {
+  ImageSettings settings = small();
+  settings.draw_walls = false;
+  settings.draw_obstacles = false;
+  expect_golden("bare", draw(furnished_tank(), settings));
+}
+
+class GoldenField : public GoldenFrame, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(GoldenField, ColoursTheParticles) {
+  synthetic::State state = synthetic::tank(0.02);
+  auto objects = std::make_shared<ObjectParticles>();
+  for (int k = 0; k < 12; ++k) {
+    for (int j = 0; j < 16; ++j)
+      objects->position.emplace_back(1.43F, 0.46F + 0.02F * static_cast<float>(j),
+                                     0.01F + 0.02F * static_cast<float>(k));
+  }
+  state.snapshot.objects = objects;
+  ImageSettings settings = small();
+  settings.field = GetParam();
+  settings.colour_map.clear();
+  expect_golden(std::string("field_") + GetParam(), draw(state, settings));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenField,
+                         ::testing::Values("speed", "velocity_x", "velocity_y", "velocity_z", "pressure",
+                                           "depth", "kind"),
+                         [](const auto& field) { return std::string(field.param); });
+
+TEST_F(GoldenFrame, DepthMapInColour) {
+  expect_golden("depth_colour", draw(furnished_tank(), small(ImageKind::DepthMap)));
+}
+
+TEST_F(GoldenFrame, DepthMapInGrey) {
+  ImageSettings settings = small(ImageKind::DepthMap);
+  settings.colour_map = "grey_depth";
+  expect_golden("depth_grey", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, DepthMapOfAHalfAndItsMirrorImage) {
+  ImageSettings settings = small(ImageKind::DepthMap);
+  expect_golden("depth_half", draw(synthetic::tank(0.02, true), settings));
+  settings.mirror = true;
+  expect_golden("depth_mirrored", draw(synthetic::tank(0.02, true), settings));
+}
+
+TEST_F(GoldenFrame, DepthMapWithAHighDryDepth) {
+  ImageSettings settings = small(ImageKind::DepthMap);
+  settings.dry_depth = 0.04;
+  expect_golden("depth_threshold", draw(synthetic::tank(0.02), settings));
+}
+
+TEST_F(GoldenFrame, DepthProfile) {
+  expect_golden("depth_profile", draw(synthetic::channel(0.02), small(ImageKind::DepthMap)));
+}
+
+TEST_F(GoldenFrame, TheSameFrameIsDrawnTwice) {
+  const synthetic::State state = synthetic::tank(0.02);
+  FrameRenderer renderer(state.scene);
+  const Image first = renderer.draw(small(), state.snapshot, state.depth);
+  ImageSettings other = small(ImageKind::DepthMap);
+  other.width = 400;
+  renderer.draw(other, state.snapshot, state.depth);
+  EXPECT_EQ(renderer.draw(small(), state.snapshot, state.depth).rgb, first.rgb);
+}
+
+TEST_F(GoldenFrame, AnEmptyTankIsDrawn) {
+  synthetic::State state = synthetic::tank(0.02);
+  const double water = different_pixels(draw(state, small()), draw(synthetic::tank(0.04), small()));
+  state.snapshot.position.clear();
+  state.snapshot.velocity.clear();
+  state.snapshot.pressure.clear();
+  state.depth = DepthGrid{};
+  EXPECT_GT(different_pixels(draw(synthetic::tank(0.02), small()), draw(state, small())), water);
+  EXPECT_NO_THROW(draw(state, small(ImageKind::DepthMap)));
+}
+
+}  // namespace
+}  // namespace eisph
