@@ -51,7 +51,7 @@ ThreadPool::ThreadPool(int threads) {
 }
 
 ThreadPool::~ThreadPool() {
-  stopping_.store(true, std::memory_order_relaxed);
+  stopping_.store(true, std::memory_order_release);
   generation_.fetch_add(1, std::memory_order_release);
   generation_.notify_all();
   for (std::thread& worker : workers_) worker.join();
@@ -59,19 +59,17 @@ ThreadPool::~ThreadPool() {
 
 void ThreadPool::dispatch(std::size_t items, Task task) {
   task_ = task;
-  items_ = items;
-  next_.store(0, std::memory_order_relaxed);
-  if (workers_.empty() || items == 1) {
-    take_items(0);
-    return;
+  items_ = static_cast<std::uint32_t>(items);
+  unfinished_.store(items_, std::memory_order_relaxed);
+  untaken_.store(items_, std::memory_order_release);
+  if (!workers_.empty() && items > 1) {
+    generation_.fetch_add(1, std::memory_order_release);
+    generation_.notify_all();
   }
-  active_.store(static_cast<std::uint32_t>(workers_.size()), std::memory_order_relaxed);
-  generation_.fetch_add(1, std::memory_order_release);
-  generation_.notify_all();
   take_items(0);
-  for (std::uint32_t left = active_.load(std::memory_order_acquire); left != 0;
-       left = active_.load(std::memory_order_acquire)) {
-    wait_while(active_, left);
+  for (std::uint32_t left = unfinished_.load(std::memory_order_acquire); left != 0;
+       left = unfinished_.load(std::memory_order_acquire)) {
+    wait_while(unfinished_, left);
   }
 }
 
@@ -79,19 +77,20 @@ void ThreadPool::work(int worker) {
   std::uint32_t seen = 0;
   for (;;) {
     wait_while(generation_, seen);
-    ++seen;
-    if (stopping_.load(std::memory_order_relaxed)) return;
+    seen = generation_.load(std::memory_order_acquire);
+    if (stopping_.load(std::memory_order_acquire)) return;
     take_items(worker);
-    if (active_.fetch_sub(1, std::memory_order_acq_rel) == 1) active_.notify_one();
   }
 }
 
 void ThreadPool::take_items(int worker) {
   const FlushDenormals flush;
-  for (;;) {
-    const std::size_t item = next_.fetch_add(1, std::memory_order_relaxed);
-    if (item >= items_) return;
-    task_.call(task_.context, item, worker);
+  std::uint32_t untaken = untaken_.load(std::memory_order_acquire);
+  while (untaken != 0) {
+    if (!untaken_.compare_exchange_weak(untaken, untaken - 1, std::memory_order_acq_rel)) continue;
+    task_.call(task_.context, items_ - untaken, worker);
+    if (unfinished_.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished_.notify_one();
+    untaken = untaken_.load(std::memory_order_acquire);
   }
 }
 

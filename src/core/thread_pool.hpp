@@ -52,11 +52,14 @@ class ThreadPool {
   void take_items(int worker);
 
   std::vector<std::thread> workers_;
+  // Written before a loop is opened and left alone until all of its items are done.
   Task task_;
-  std::size_t items_ = 0;
-  std::atomic<std::size_t> next_{0};
-  std::atomic<std::uint32_t> generation_{0};
-  std::atomic<std::uint32_t> active_{0};
+  std::uint32_t items_ = 0;
+  /// Items of the open loop that nobody has taken. Taking one is a compare-and-swap, so whoever has one knows
+  /// that the loop is still open; a worker that comes too late finds zero and need not be waited for.
+  std::atomic<std::uint32_t> untaken_{0};
+  std::atomic<std::uint32_t> unfinished_{0};
+  std::atomic<std::uint32_t> generation_{0};  ///< counts the loops, to wake the workers
   std::atomic<bool> stopping_{false};
 };
 
