@@ -14,6 +14,7 @@ namespace eisph {
 namespace {
 
 constexpr double kRecordInterval = 0.01;  ///< s, of gauges and probes
+constexpr double kThesisPhi = 0.06;      ///< largest dt Umax / dx at which the thesis's stepping is accurate
 constexpr double kCellsPerSpacing = 1.5;  ///< gauge columns and depth cells over the particle spacing
 
 std::string name_of_file(const std::string& file) {
@@ -66,6 +67,7 @@ void complete_scene(Scene& scene, const SceneSource& source) {
   if (!source.given("title")) scene.title = scene.name;
   if (!source.given("fluid.reference_depth")) scene.reference_depth = water_depth(scene);
   if (scene.scheme.stepping == Stepping::Thesis) {
+    if (!source.given("scheme.phi")) scene.scheme.phi = kThesisPhi;
     if (!source.given("scheme.source_factor")) scene.scheme.source_factor = 1.0;
     if (!scene.scheme.volume_correction) scene.scheme.volume_correction = 0.1;
   }

@@ -130,7 +130,8 @@ KeyTable<SchemeSettings> scheme_keys() {
         return adaptive ? write_text("adaptive") : write_number(scheme.time_step);
       });
   keys.number("phi", "", &SchemeSettings::phi, above_to(0.0, 1.0),
-              "Time step dt Umax / dx of the adaptive step.");
+              "Time step dt Umax / dx of the adaptive step.")
+      .fallback("0.17, with thesis stepping 0.06");
   keys.number("source_factor", "", &SchemeSettings::source_factor, above_to(0.0, 20.0),
               "Weight omega of the present velocity in the source of the pressure equation.")
       .fallback("3.0, with thesis stepping 1.0");
@@ -168,7 +169,13 @@ KeyTable<BoundarySettings> boundary_keys() {
   keys.boolean("ghost_particles", &BoundarySettings::ghost_particles,
                "Mirror the water at walls and symmetry planes.");
   keys.boolean("virtual_particles", &BoundarySettings::virtual_particles,
-               "Repel water from a lattice of points on the walls.");
+               "Repel water that comes closer to a wall than the cutoff.");
+  keys.choice<RepulsionForm>(
+      "repulsion_form", &BoundarySettings::repulsion_form,
+      {{"even", RepulsionForm::Even}, {"lattice", RepulsionForm::Lattice}},
+      "By the distance to the wall, or point by point from a lattice of dx/2 as in the thesis (rougher).");
+  keys.boolean("object_repulsion", &BoundarySettings::object_repulsion,
+               "Surfaces of obstacles, dams and gates repel by the same law.");
   keys.number("repulsion_cutoff", "dx", &BoundarySettings::repulsion_cutoff, above_to(0.0, 1.0),
               "Distance r0 from a virtual particle within which the repulsion acts.");
   keys.number("repulsion_strength", "2 g H", &BoundarySettings::repulsion_strength, at_least(0.0),

@@ -2,6 +2,7 @@
 
 #include "io/scene_source.hpp"
 #include "io/schema_value.hpp"
+#include "io/schema_walk.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -15,20 +16,6 @@ namespace eisph {
 
 // A KeyTable lists the keys of one section of a scene file together with the member that each sets. Reading,
 // writing and the printed reference all walk the same table. `Owner` is the structure that the section fills.
-
-/// What the reference and the error messages say about a key.
-struct KeyText {
-  std::string name{};
-  std::string type{};  ///< as in "expected <type>", range included
-  std::string unit{};
-  std::string meaning{};
-  std::string fallback{};   ///< the default
-  std::string condition{};  ///< when the key is accepted; empty: always
-  bool required = false;
-
-  /// Type, range and unit.
-  [[nodiscard]] std::string expected() const;
-};
 
 template <class Owner>
 struct Key {
@@ -51,34 +38,6 @@ struct Key {
     applies = std::move(predicate);
     return *this;
   }
-};
-
-/// Reads sections out of a source into their structures.
-struct SceneReader {
-  SceneSource& source;
-  int dimension = 3;
-
-  /// The table under `path`, or an error if something else stands there.
-  [[nodiscard]] const toml::table& section(const std::string& path, const toml::node& node) const;
-  [[noreturn]] void fail_unknown(const std::string& path, const std::string& name, const toml::node& node,
-                                 const std::vector<std::string>& accepted) const;
-};
-
-/// Collects the text of a resolved scene.
-struct SceneWriter {
-  int dimension = 3;
-  std::string text;
-
-  void header(const std::string& path, bool repeated);
-  void line(const std::string& name, const std::string& value);
-};
-
-/// Collects the reference of all keys.
-struct SchemaWriter {
-  std::string text;
-
-  void header(const std::string& path, bool repeated, const std::string& meaning);
-  void key(const KeyText& key);
 };
 
 /// A section inside a section: how to read, write and describe it.

@@ -3,16 +3,21 @@
 #include "core/error.hpp"
 #include "io/vtk_support.hpp"
 
+#include <cstdint>
+#include <memory>
 #include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUnsignedIntArray.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>

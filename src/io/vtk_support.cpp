@@ -3,17 +3,18 @@
 #include "core/error.hpp"
 #include "io/file_io.hpp"
 
+#include <cstring>
+#include <exception>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkTypeUInt64Array.h>
-#include <vtkXMLDataParser.h>
 
 namespace eisph {
 

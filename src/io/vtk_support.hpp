@@ -1,19 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnsignedIntArray.h>
 #include <vtkXMLReader.h>
 #include <vtkXMLWriter.h>
 
@@ -74,9 +71,11 @@ void copy_values(const std::filesystem::path& path, const char* name, vtkDataArr
 template <typename Element, typename Value>
 void take_array(const std::filesystem::path& path, const char* name, vtkDataArray* array,
                 std::vector<Value>& values) {
-  static_assert(std::is_trivially_copyable_v<Element> && sizeof(Value) % sizeof(Element) == 0);
-  copy_values(path, name, array, std::is_floating_point_v<Element>, sizeof(Element),
-              sizeof(Value) / sizeof(Element), values.size(), values.data());
+  constexpr std::size_t kElementSize = sizeof(Element);
+  constexpr std::size_t kValueSize = sizeof(Value);
+  static_assert(std::is_arithmetic_v<Element> && kValueSize % kElementSize == 0);
+  copy_values(path, name, array, std::is_floating_point_v<Element>, kElementSize,
+              static_cast<int>(kValueSize / kElementSize), values.size(), values.data());
 }
 
 [[nodiscard]] double take_double(const std::filesystem::path& path, vtkFieldData* fields, const char* name);

@@ -5,6 +5,7 @@
 #include "app/saved_states.hpp"
 #include "io/scene_file.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <map>
@@ -245,15 +246,24 @@ TEST_F(EndToEnd, ASecondRunReplacesTheFirst) {
 }
 
 TEST_F(EndToEnd, ABlowUpExitsWith3AndKeepsWhatCameBefore) {
-  const ProcessResult result =
-      run(column_, "run", {"--set", "scheme.time_step=0.02", "--set", "end_time=20.0"});
+  // The first step still ends within the range, the second does not.
+  std::vector<std::string> options;
+  for (const char* setting :
+       {"scheme.time_step=0.05", "end_time=20.0", "gauge.wall.interval=20.0", "probe.corner.interval=20.0",
+        "output.depth_interval=0", "output.times=[0.05, 10.0]", "output.particles_times=[0.0, 0.05, 10.0]"}) {
+    options.insert(options.end(), {"--set", setting});
+  }
+  const ProcessResult result = run(column_, "run", options);
   EXPECT_EQ(result.exit_code, 3) << result.err;
-  EXPECT_THAT(result.err, AllOf(StartsWith("eisph: "), HasSubstr("t = "), HasSubstr("particle ")));
+  EXPECT_THAT(result.err, AllOf(StartsWith("eisph: "), HasSubstr("t = 0.05 s"), HasSubstr("particle ")));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   const nlohmann::json figures = summary("run");
   EXPECT_EQ(figures["status"], "blown_up");
-  EXPECT_NE(figures["message"], "");
+  EXPECT_THAT(figures["message"].get<std::string>(), HasSubstr("particle "));
+  EXPECT_EQ(figures["frames_written"], 1);
   const std::vector<SavedState> states = saved_states({folder_ / "run"});
-  for (const SavedState& state : states) EXPECT_THAT(read_state(state).position, SizeIs(200));
+  ASSERT_THAT(states, SizeIs(2));
+  EXPECT_THAT(read_state(states[1]).position, SizeIs(200));
 }
 
 /// Waits until the file is there; false after half a minute.

@@ -54,7 +54,7 @@ TEST(SceneWarnings, NameSolidsThinnerThanOneAndAHalfSpacings) {
   Gate gate;
   gate.name = "slide";
   gate.shape.kind = ShapeKind::Cylinder;
-  gate.shape.radius = 0.007;
+  gate.shape.radius = 0.008;
   gate.shape.height = 0.1;
   scene.gates = {gate};
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("obstacle \"block\" is 0.014 m thin")));

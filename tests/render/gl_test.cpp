@@ -53,9 +53,11 @@ TEST(ShaderProgram, MissingAndBrokenFilesAreReportedByName) {
       << "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
   std::ofstream(folder.path() / "test.frag") << "#version 330 core\nvoid main() { undeclared = 1.0; }\n";
   EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("test.frag"), HasSubstr("undeclared"))));
-  std::ofstream(folder.path() / "test.frag")
-      << "#version 330 core\nin vec3 unknown; out vec4 c;\nvoid main() { c = vec4(unknown, 1.0); }\n";
-  EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("do not link"), HasSubstr("unknown"))));
+  std::ofstream(folder.path() / "test.vert") << "#version 330 core\nout vec4 shared_value;\nvoid main() { "
+                                                "gl_Position = shared_value = vec4(0.0); }\n";
+  std::ofstream(folder.path() / "test.frag") << "#version 330 core\nin vec3 shared_value;\nout vec4 c;\nvoid "
+                                                "main() { c = vec4(shared_value, 1.0); }\n";
+  EXPECT_THAT(make, ThrowsMessage<InputError>(AllOf(HasSubstr("do not link"), HasSubstr("shared_value"))));
 }
 
 /// Sets EISPH_HOME while it lives.

@@ -42,7 +42,9 @@ TEST(VisibleParticles, KeepTheSurfaceAndLeaveOutTheInside) {
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
     const Vec3f& x = snapshot.position[i];
     const float inside = std::min(x.minCoeff(), 0.24F - x.maxCoeff());
-    if (inside < 0.025F) EXPECT_TRUE(is_kept[i]) << x.transpose();
+    if (inside < 0.025F) {
+      EXPECT_TRUE(is_kept[i]) << x.transpose();
+    }
   }
 }
 

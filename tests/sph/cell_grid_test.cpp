@@ -75,8 +75,26 @@ TEST(CellGrid, VisitsThreeRunsInThePlaneAndNineInSpace) {
 TEST(CellGrid, TheVerticalRunsFastest) {
   const CellGrid<3> grid({20.0, 20.0, 20.0});
   const std::array<float, 3> low = {5.0F, 5.0F, 5.0F};
-  const std::array<float, 3> high = {5.0F, 5.0F, 7.1F};
-  EXPECT_EQ(grid.index(high.data()), grid.index(low.data()) + 1);
+  const std::array<float, 3> high = {5.0F, 5.0F, 9.5F};
+  const int rise = grid.coordinate(9.5F, 2) - grid.coordinate(5.0F, 2);
+  EXPECT_GE(rise, 2);
+  EXPECT_EQ(grid.index(high.data()) - grid.index(low.data()), static_cast<std::uint32_t>(rise));
+}
+
+TEST(CellGrid, BoundsHoldEveryPointOfTheCell) {
+  const CellGrid<3> grid({9.0, 6.0, 12.0});
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<float> anywhere(-9.0F, 20.0F);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const std::array<float, 3> at = {anywhere(generator), anywhere(generator), anywhere(generator)};
+    std::array<float, 3> lower{};
+    std::array<float, 3> upper{};
+    grid.bounds(grid.coordinates(grid.index(at.data())), lower, upper);
+    for (std::size_t d = 0; d < 3; ++d) {
+      ASSERT_GE(at[d], lower[d]) << "axis " << d;
+      ASSERT_LE(at[d], upper[d]) << "axis " << d;
+    }
+  }
 }
 
 }  // namespace

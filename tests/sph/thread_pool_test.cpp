@@ -25,7 +25,7 @@ TEST_P(ThreadPoolOf, NumbersItsWorkersAndRunsNoTwoItemsOfOneAtATime) {
   EXPECT_EQ(pool.threads(), GetParam());
   std::vector<std::atomic<int>> busy(static_cast<std::size_t>(pool.threads()));
   std::atomic<int> faults{0};
-  pool.run(20000, [&](std::size_t, int worker) {
+  pool.run(2000, [&](std::size_t, int worker) {
     if (worker < 0 || worker >= pool.threads()) {
       faults.fetch_add(1);
       return;
@@ -51,7 +51,7 @@ TEST_P(ThreadPoolOf, CutsARangeIntoBlocksWithoutGapOrOverlap) {
 TEST_P(ThreadPoolOf, FinishesEachOfManyShortLoopsBeforeTheNext) {
   ThreadPool pool(GetParam());
   std::vector<std::size_t> values(16, 0);
-  constexpr std::size_t kLoops = 20000;
+  constexpr std::size_t kLoops = 2000;
   for (std::size_t loop = 0; loop < kLoops; ++loop) {
     // Each item depends on its neighbour's result of the loop before: a late worker would be seen.
     std::vector<std::size_t> next(values.size());
@@ -61,7 +61,7 @@ TEST_P(ThreadPoolOf, FinishesEachOfManyShortLoopsBeforeTheNext) {
   for (const std::size_t value : values) ASSERT_EQ(value, kLoops);
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, testing::Values(1, 2, 3));
 
 TEST(ThreadPool, TakesFewerThanOneThreadAsOne) {
   EXPECT_EQ(ThreadPool(0).threads(), 1);
@@ -69,7 +69,7 @@ TEST(ThreadPool, TakesFewerThanOneThreadAsOne) {
 }
 
 TEST(ThreadPool, StopsItsWorkersWhetherItWasUsedOrNot) {
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 50; ++round) {
     ThreadPool pool(3);
     if (round % 2 == 0) pool.run(8, [](std::size_t, int) {});
   }

@@ -1,4 +1,6 @@
-#include "io/schema_table.hpp"
+#include "io/schema_walk.hpp"
+
+#include "io/schema_value.hpp"
 
 #include <sstream>
 
