@@ -15,6 +15,7 @@ namespace {
 
 /// Fraction of the spacing within which a centre counts as on a surface.
 constexpr double kTolerance = 1e-9;
+constexpr double kLargestIndex = 9e15;
 
 /// Lattice points of one axis, from `first` to `last` inclusive; doubles, as a bad scene may ask for any
 /// number.
@@ -48,13 +49,22 @@ LatticeBlock lattice_block(const Scene& scene, const Shape& shape) {
 template <class Visit>
 bool walk(const Scene& scene, const LatticeBlock& block, const Visit& visit) {
   const Vec3d origin = scene.domain_min.array() + 0.5 * scene.particle_spacing;
+  std::array<std::int64_t, 3> first{};
+  std::array<std::int64_t, 3> last{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    first[axis] = static_cast<std::int64_t>(std::min(block[axis].first, kLargestIndex));
+    last[axis] = static_cast<std::int64_t>(std::clamp(block[axis].last, -1.0, kLargestIndex));
+  }
+  const auto coordinate = [&](int axis, std::int64_t index) {
+    return origin[axis] + static_cast<double>(index) * scene.particle_spacing;
+  };
   Vec3d point = Vec3d::Zero();
-  for (double k = block[2].first; k <= block[2].last; k += 1.0) {
-    point.z() = origin.z() + k * scene.particle_spacing;
-    for (double j = block[1].first; j <= block[1].last; j += 1.0) {
-      if (scene.dimension == 3) point.y() = origin.y() + j * scene.particle_spacing;
-      for (double i = block[0].first; i <= block[0].last; i += 1.0) {
-        point.x() = origin.x() + i * scene.particle_spacing;
+  for (std::int64_t k = first[2]; k <= last[2]; ++k) {
+    point.z() = coordinate(2, k);
+    for (std::int64_t j = first[1]; j <= last[1]; ++j) {
+      if (scene.dimension == 3) point.y() = coordinate(1, j);
+      for (std::int64_t i = first[0]; i <= last[0]; ++i) {
+        point.x() = coordinate(0, i);
         if (!visit(point)) return false;
       }
     }

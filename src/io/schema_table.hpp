@@ -155,8 +155,8 @@ class KeyTable {
 
   /// A key of another form.
   template <class Read, class Write>
-  Key<Owner>& add(KeyText text, Read read, Write write) {
-    Key<Owner> key{.text = std::move(text), .read = std::move(read), .write = std::move(write)};
+  Key<Owner>& add(const KeyText& text, Read read, Write write) {
+    Key<Owner> key{.text = text, .read = std::move(read), .write = std::move(write)};
     key.text.fallback = key.write(Owner{}, 3);
     keys_.push_back(std::move(key));
     return keys_.back();

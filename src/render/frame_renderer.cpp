@@ -7,6 +7,7 @@
 #include "render/drawing.hpp"
 #include "render/field.hpp"
 #include "render/layout.hpp"
+#include "render/particle_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,8 @@
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "render/image.hpp"
-#include "render/particle_picture.hpp"
+#include "render/render_options.hpp"
+#include "render/renderer_threads.hpp"
 
 #include <memory>
 
@@ -29,10 +30,5 @@ class FrameRenderer {
   class Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-/// Bounds the threads of the software renderer (to one, unless the environment has LP_NUM_THREADS). It writes
-/// to the environment, so a program with several threads calls it before it starts them; making a renderer
-/// does it too.
-void limit_software_renderer_threads();
 
 }  // namespace eisph

@@ -1,6 +1,7 @@
 #include "render/os_mesa_context.hpp"
 
 #include "core/error.hpp"
+#include "render/renderer_threads.hpp"
 
 #include <cstdlib>
 #include <mutex>

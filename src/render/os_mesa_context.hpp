@@ -33,8 +33,4 @@ class OsMesaContext final : public GlContext {
   GlFunctions functions_;
 };
 
-/// Bounds the threads of the software renderer, unless LP_NUM_THREADS is set already. It writes to the
-/// environment: call it before other threads start. Creating a context does it too.
-void limit_software_renderer_threads();
-
 }  // namespace eisph

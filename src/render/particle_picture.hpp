@@ -11,6 +11,7 @@
 #include "render/offscreen_target.hpp"
 #include "render/palette.hpp"
 #include "render/particle_painter.hpp"
+#include "render/render_options.hpp"
 #include "render/solid_painter.hpp"
 
 #include <memory>
@@ -18,13 +19,6 @@
 #include <vector>
 
 namespace eisph {
-
-/// How particle pictures are drawn; the defaults are meant for frames.
-struct ParticlePictureOptions {
-  bool cull_interior = true;  ///< leave out particles that other particles hide
-  int samples_per_pixel = 2;  ///< along each axis
-  bool depth_shading = true;  ///< darken what lies behind its surroundings (three dimensions)
-};
 
 /// The part of a frame that shows particles, walls and solids. Owns its GL context.
 class ParticlePicture {

@@ -70,7 +70,7 @@ std::shared_ptr<const Snapshot> EisphSolver<Dim>::snapshot() const {
   objects->position.reserve(solids_.size());
   objects->pressure.reserve(solids_.size());
   for (std::size_t k = 0; k < solids_.size(); ++k) {
-    objects->position.push_back(solids_.position(k).template cast<float>());
+    objects->position.emplace_back(solids_.position(k).template cast<float>());
     objects->pressure.push_back(solids_.pressure(k));
   }
   snapshot->objects = std::move(objects);
@@ -230,7 +230,7 @@ SimulationPlan EisphSolver<Dim>::plan() const {
       std::sqrt(scene_.scheme.source_factor / lattice_.laplacian) * h_ / plan.time_step;
   plan.estimated_steps = static_cast<std::uint64_t>(std::ceil(scene_.end_time / plan.time_step));
   // Bytes per particle as laid out: state and work arrays, lists of about the lattice's length.
-  const double list = 4.0 * (lattice_.neighbours + 1 + kPackWidth / 2) + 8.0;
+  const double list = 4.0 * (lattice_.neighbours + 1 + 0.5 * kPackWidth) + 8.0;
   const double fluid = 8.0 * (Dim + 1) + 4.0 * Dim + 28.0 + 8.0 + 48.0 + list;
   const double ghost = 48.0 + 16.0 + 8.0;
   const double object = 48.0 + 32.0 + 56.0 + 16.0;

@@ -20,7 +20,9 @@ struct ErrorCase {
   std::vector<std::string> pieces;
 };
 
-void PrintTo(const ErrorCase& error_case, std::ostream* stream) { *stream << error_case.name; }
+std::ostream& operator<<(std::ostream& stream, const ErrorCase& error_case) {
+  return stream << error_case.name;
+}
 std::string name_of_case(const testing::TestParamInfo<ErrorCase>& info) { return info.param.name; }
 
 /// The message of the edited scene has the file, the line and all pieces, on one line.

@@ -32,6 +32,8 @@ TEST_P(ThreadPoolOf, NumbersItsWorkersAndRunsNoTwoItemsOfOneAtATime) {
     }
     auto& mine = busy[static_cast<std::size_t>(worker)];
     if (mine.fetch_add(1) != 0) faults.fetch_add(1);
+    // Long enough for the other workers to join.
+    for (int k = 0; k < 1000; ++k) std::atomic_signal_fence(std::memory_order_seq_cst);
     mine.fetch_sub(1);
   });
   EXPECT_EQ(faults.load(), 0);
@@ -51,7 +53,7 @@ TEST_P(ThreadPoolOf, CutsARangeIntoBlocksWithoutGapOrOverlap) {
 TEST_P(ThreadPoolOf, FinishesEachOfManyShortLoopsBeforeTheNext) {
   ThreadPool pool(GetParam());
   std::vector<std::size_t> values(16, 0);
-  constexpr std::size_t kLoops = 2000;
+  constexpr std::size_t kLoops = 20000;
   for (std::size_t loop = 0; loop < kLoops; ++loop) {
     // Each item depends on its neighbour's result of the loop before: a late worker would be seen.
     std::vector<std::size_t> next(values.size());
