@@ -14,7 +14,7 @@ namespace eisph {
 namespace {
 
 constexpr double kRecordInterval = 0.01;  ///< s, of gauges and probes
-constexpr double kThesisPhi = 0.06;      ///< largest dt Umax / dx at which the thesis's stepping is accurate
+constexpr double kThesisPhi = 0.06;       ///< largest dt Umax / dx at which the thesis's stepping is accurate
 constexpr double kCellsPerSpacing = 1.5;  ///< gauge columns and depth cells over the particle spacing
 
 std::string name_of_file(const std::string& file) {

@@ -1,5 +1,6 @@
 #include "probe/point_probe.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

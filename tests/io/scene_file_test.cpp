@@ -111,11 +111,14 @@ TEST(SceneFile, ReferenceDepthIsBetweenTheHighestAndTheLowestWater) {
 TEST(SceneFile, ThesisSteppingBringsItsOwnParameters) {
   SceneLoader loader;
   const Scene scene = loader.load(kSceneText + "[scheme]\nstepping = \"thesis\"\n");
+  EXPECT_EQ(scene.scheme.phi, 0.06);
   EXPECT_EQ(scene.scheme.source_factor, 1.0);
   EXPECT_EQ(scene.scheme.volume_correction, 0.1);
   EXPECT_EQ(round_trip(scene), scene);
   const Scene chosen = loader.load(
-      kSceneText + "[scheme]\nstepping = \"thesis\"\nsource_factor = 2.0\nvolume_correction = 0.0\n");
+      kSceneText +
+      "[scheme]\nstepping = \"thesis\"\nphi = 0.1\nsource_factor = 2.0\nvolume_correction = 0.0\n");
+  EXPECT_EQ(chosen.scheme.phi, 0.1);
   EXPECT_EQ(chosen.scheme.source_factor, 2.0);
   EXPECT_EQ(chosen.scheme.volume_correction, 0.0);
 }
