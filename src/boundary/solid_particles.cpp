@@ -9,34 +9,22 @@ namespace eisph {
 
 SolidParticles::SolidParticles(const Scene& scene) : dimension_(scene.dimension) {
   if (scene.boundary.object_repulsion) repulsion_ = Repulsion(scene);
-  for (const Obstacle& obstacle : scene.obstacles) add(scene, obstacle.shape, nullptr);
-  for (const Gate& gate : scene.gates) add(scene, gate.shape, &gate);
+  const SceneSolids lattice = scene_solids(scene);
+  spacing_ = lattice.spacing;
+  for (std::size_t s = 0; s < lattice.ranges.size(); ++s) {
+    Solid solid;
+    solid.is_gate = s >= scene.obstacles.size();
+    if (solid.is_gate) solid.gate = scene.gates[s - scene.obstacles.size()];
+    solid.shape = solid.is_gate ? solid.gate.shape : scene.obstacles[s].shape;
+    solid.first = lattice.ranges[s].first;
+    solid.count = lattice.ranges[s].count;
+    for (std::size_t k = solid.first; k < solid.first + solid.count; ++k) {
+      particles_.push_back({lattice.position[k], lattice.volume[k], 0.0F, static_cast<std::uint32_t>(s)});
+    }
+    solids_.push_back(solid);
+  }
   list_present();
   update(0.0);
-}
-
-void SolidParticles::add(const Scene& scene, const Shape& shape, const Gate* gate) {
-  Solid solid;
-  solid.shape = shape;
-  if (gate != nullptr) {
-    solid.gate = *gate;
-    solid.is_gate = true;
-  }
-  solid.first = particles_.size();
-  const SolidLattice lattice =
-      solid_lattice(shape, scene.particle_spacing, scene.support_radius(), scene.dimension);
-  spacing_ = std::max(spacing_, lattice.spacing);
-  const double touching = 1e-6 * scene.particle_spacing;
-  for (std::size_t k = 0; k < lattice.position.size(); ++k) {
-    const Vec3d& at = lattice.position[k];
-    const bool taken = std::any_of(solids_.begin(), solids_.end(), [&](const Solid& earlier) {
-      return earlier.shape.signed_distance(at, dimension_) < -touching;
-    });
-    if (taken) continue;
-    particles_.push_back({at, lattice.volume[k], 0.0F, static_cast<std::uint32_t>(solids_.size())});
-  }
-  solid.count = particles_.size() - solid.first;
-  solids_.push_back(solid);
 }
 
 void SolidParticles::list_present() {

@@ -13,8 +13,7 @@ namespace eisph {
 class SolidParticles {
  public:
   SolidParticles() = default;
-  /// Fills the solids with particles down to a support radius below their surface; deeper ones never meet
-  /// water. Particles of a solid that lie inside an earlier one are left out.
+  /// Fills the solids with the particles of scene_solids.
   explicit SolidParticles(const Scene& scene);
 
   [[nodiscard]] std::size_t size() const { return present_.size(); }
@@ -59,7 +58,6 @@ class SolidParticles {
     std::uint32_t solid;
   };
 
-  void add(const Scene& scene, const Shape& shape, const Gate* gate);
   /// Outward normal of the solid's surface nearest to `point`, by differences of the distance.
   [[nodiscard]] Vec3d outward_normal(const Solid& solid, const Vec3d& point) const;
   void list_present();

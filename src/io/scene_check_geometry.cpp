@@ -32,12 +32,11 @@ std::string domain_text(const Scene& scene) {
 void check_domain(const Scene& scene, const SceneSource& source) {
   for (const int axis : axes(scene)) {
     const double extent = scene.domain_max[axis] - scene.domain_min[axis];
-    if (extent < scene.support_radius()) {
+    if (extent < scene.smoothing_length()) {
       source.fail(
           "domain.max",
-          fmt::format(
-              "the domain is {:.6g} m long in {}; expected at least {:.6g} m, the reach of the kernel",
-              extent, kAxisNames[axis], scene.support_radius()));
+          fmt::format("the domain is {:.6g} m long in {}; expected at least {:.6g} m, the smoothing length",
+                      extent, kAxisNames[axis], scene.smoothing_length()));
     }
   }
 }
