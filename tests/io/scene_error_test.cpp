@@ -153,9 +153,9 @@ INSTANTIATE_TEST_SUITE_P(
     Geometry, SceneError,
     testing::Values(
         ErrorCase{"domain_inside_out", "max = [4.0, 1.0, 2.0]", "max = [4.0, -1.0, 2.0]", 13,
-                  {"domain.max = [4.0, -1.0, 2.0]", "-1 m long in y", "at least 0.264 m"}},
-        ErrorCase{"domain_narrower_than_the_kernel", "max = [4.0, 1.0, 2.0]", "max = [4.0, 0.2, 2.0]", 13,
-                  {"0.2 m long in y", "the reach of the kernel"}},
+                  {"domain.max = [4.0, -1.0, 2.0]", "-1 m long in y", "at least 0.132 m"}},
+        ErrorCase{"domain_narrower_than_the_kernel", "max = [4.0, 1.0, 2.0]", "max = [4.0, 0.1, 2.0]", 13,
+                  {"0.1 m long in y", "the smoothing length"}},
         ErrorCase{"no_region", "[[fluid.region]]\nmin = [0.0, 0.0, 0.0]\nmax = [1.0, 1.0, 0.5]", "", 6,
                   {"fluid.region: missing", "at least one [[fluid.region]]"}},
         ErrorCase{"region_inside_out", "max = [1.0, 1.0, 0.5]", "max = [1.0, -1.0, 0.5]", 10,
