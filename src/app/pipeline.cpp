@@ -4,7 +4,7 @@
 
 namespace eisph {
 
-Pipeline::Pipeline(PipelineStages stages, std::size_t queue_length, QueuePolicy frame_policy) {
+Pipeline::Pipeline(const PipelineStages& stages, std::size_t queue_length, QueuePolicy frame_policy) {
   if (stages.make_draw) {
     encoder_.emplace(queue_length, QueuePolicy::KeepAll, latch_,
                      [this, stages] { return make_encode_handler(stages); });

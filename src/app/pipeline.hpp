@@ -44,7 +44,7 @@ struct PipelineStages {
 /// exception of a stage comes out of the next call.
 class Pipeline {
  public:
-  Pipeline(PipelineStages stages, std::size_t queue_length, QueuePolicy frame_policy);
+  Pipeline(const PipelineStages& stages, std::size_t queue_length, QueuePolicy frame_policy);
 
   /// Hands a state over. Waits while a queue is full that drops nothing.
   void publish(const Publication& publication);

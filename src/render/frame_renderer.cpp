@@ -26,10 +26,11 @@ namespace {
 /// Two decimals, or as many as the time needs, up to five.
 std::string time_text(double time) {
   int decimals = 2;
-  for (double scaled = 100.0 * time; decimals < 5 && std::abs(scaled - std::round(scaled)) > 1e-5;
-       scaled *= 10.0) {
-    ++decimals;
-  }
+  const auto needs_more = [&] {
+    const double scaled = time * std::pow(10.0, decimals);
+    return std::abs(scaled - std::round(scaled)) > 1e-5;
+  };
+  while (decimals < 5 && needs_more()) ++decimals;
   return fmt::format("t = {:.{}f} s", time, decimals);
 }
 

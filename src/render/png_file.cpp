@@ -189,6 +189,7 @@ PngFile read_png(const std::filesystem::path& path) {
   if (!reader.read_header(file.get())) fail(path, fmt::format("not a PNG file: {}", reader.message()));
   result.image = Image(reader.width(), reader.height());
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(result.image.height));
   for (int row = 0; row < result.image.height; ++row) rows.push_back(result.image.pixel(0, row));
   if (!reader.read_rows(rows.data())) fail(path, fmt::format("damaged PNG file: {}", reader.message()));
   result.text = reader.text();

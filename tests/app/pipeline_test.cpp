@@ -93,7 +93,7 @@ TEST(Pipeline, StartsNoThreadForAStageThatIsMissing) {
   RecordingStages recording;
   PipelineStages stages = recording.stages();
   stages.make_draw = nullptr;
-  Pipeline pipeline(std::move(stages), 2, QueuePolicy::KeepAll);
+  Pipeline pipeline(stages, 2, QueuePolicy::KeepAll);
   pipeline.publish(publication_at(1.0, {{0, 0}}));
   pipeline.finish();
   EXPECT_THAT(recording.encoded, IsEmpty());
@@ -116,7 +116,7 @@ TEST(Pipeline, OfTheLatestFramesOnlyDropsTheOldestAndCountsThemButDropsNoRecord)
       return frame;
     };
   };
-  Pipeline pipeline(std::move(stages), 1, QueuePolicy::LatestOnly);
+  Pipeline pipeline(stages, 1, QueuePolicy::LatestOnly);
   pipeline.publish(publication_at(0.0, {{0, 0}}));
   drawing_first.get_future().wait();
   for (const double time : {1.0, 2.0, 3.0}) pipeline.publish(publication_at(time, {{0, 0}, {1, 0}}));
@@ -129,8 +129,8 @@ TEST(Pipeline, OfTheLatestFramesOnlyDropsTheOldestAndCountsThemButDropsNoRecord)
 }
 
 /// Publishes until the failure comes back, with queues so short that a producer would wait for a dead thread.
-std::string failure_of(PipelineStages stages) {
-  Pipeline pipeline(std::move(stages), 1, QueuePolicy::KeepAll);
+std::string failure_of(const PipelineStages& stages) {
+  Pipeline pipeline(stages, 1, QueuePolicy::KeepAll);
   try {
     for (int count = 0; count < 100; ++count) pipeline.publish(publication_at(count, {{0, 0}, {1, 0}}));
     pipeline.finish();
@@ -144,21 +144,21 @@ TEST(Pipeline, PassesOnWhatTheWriterThrows) {
   RecordingStages recording;
   PipelineStages stages = recording.stages();
   stages.make_write = [] { return [](const Publication&) { throw std::runtime_error("disk full"); }; };
-  EXPECT_EQ(failure_of(std::move(stages)), "disk full");
+  EXPECT_EQ(failure_of(stages), "disk full");
 }
 
 TEST(Pipeline, PassesOnWhatTheRendererThrowsWhenItIsMade) {
   RecordingStages recording;
   PipelineStages stages = recording.stages();
   stages.make_draw = []() -> PipelineStages::Draw { throw std::runtime_error("no drawing context"); };
-  EXPECT_EQ(failure_of(std::move(stages)), "no drawing context");
+  EXPECT_EQ(failure_of(stages), "no drawing context");
 }
 
 TEST(Pipeline, PassesOnWhatTheEncoderThrows) {
   RecordingStages recording;
   PipelineStages stages = recording.stages();
   stages.make_encode = [] { return [](const Frame&) { throw std::runtime_error("cannot write frame"); }; };
-  EXPECT_EQ(failure_of(std::move(stages)), "cannot write frame");
+  EXPECT_EQ(failure_of(stages), "cannot write frame");
 }
 
 TEST(Pipeline, EndsItsThreadsWhenItIsDestroyedUnfinished) {
@@ -196,7 +196,7 @@ TEST(Pipeline, EndsTheTimeLoopWhenAStageFails) {
   RecordingStages recording;
   PipelineStages stages = recording.stages();
   stages.make_write = [] { return [](const Publication&) { throw std::runtime_error("disk full"); }; };
-  Pipeline pipeline(std::move(stages), 1, QueuePolicy::KeepAll);
+  Pipeline pipeline(stages, 1, QueuePolicy::KeepAll);
   const LoopHooks hooks{[&](const Publication& publication) { pipeline.publish(publication); },
                         [&] { pipeline.check(); }, [] { return false; }};
   EXPECT_THROW(run_time_loop(simulation, plan, 1e6, hooks), std::runtime_error);

@@ -4,6 +4,7 @@
 #include "render/drawing.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -93,7 +94,8 @@ TEST(FrameLayout, FramesTooSmallOrTooLargeAreRefused) {
 }
 
 TEST(LengthScale, IsARoundLengthThatFits) {
-  for (double pixels_per_metre = 3.0; pixels_per_metre < 4000.0; pixels_per_metre *= 1.3) {
+  for (int power = 0; power < 28; ++power) {
+    const double pixels_per_metre = 3.0 * std::pow(1.3, power);
     const LengthScale scale = length_scale(pixels_per_metre, 1000, 180);
     EXPECT_LE(scale.pixels, 180.0);
     EXPECT_GE(scale.pixels, 70.0);

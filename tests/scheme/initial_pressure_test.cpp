@@ -26,7 +26,10 @@ TEST(InitialPressure, IsHydrostaticInAClosedTank) {
 
 TEST(InitialPressure, IsHydrostaticBehindAClosedGate) {
   const auto simulation = start(gated_column(0.5));
-  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.195), 0.02);
+  // Object particles have a pressure by the same equation, but end at the surface of the gate above the
+  // water: a little less accurate than mirror images. Not so if dry particles deep in the gate drew on its
+  // pressure.
+  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.195), 0.04);
 }
 
 TEST(InitialPressure, FallsAtTheFrontWhenTheGateIsOpen) {
@@ -54,17 +57,34 @@ TEST(InitialPressure, FallsAtTheFrontWhenTheGateIsOpen) {
   EXPECT_GT(back_open, 0.6 * back_closed) << "a depth and a half away it is little changed";
 }
 
+TEST(InitialPressure, DoesNotDependOnHowThickTheGateIs) {
+  const auto front_pressure = [](double thickness) {
+    Scene scene = gated_column(0.5);
+    scene.gates[0].shape.max.x() = 0.3 + thickness;
+    const auto snapshot = start(scene)->snapshot();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < snapshot->size(); ++k) {
+      if (snapshot->position[k].x() > 0.29F) sum += snapshot->pressure[k];
+    }
+    return sum;
+  };
+  const double thin = front_pressure(0.02);
+  EXPECT_NEAR(front_pressure(0.04), thin, 0.02 * thin);
+  EXPECT_NEAR(front_pressure(0.2), thin, 0.02 * thin);
+}
+
 TEST(InitialPressure, AsHydrostaticOrZeroIsWhatItSays) {
   Scene scene = still_water_2d();
   scene.scheme.initial_pressure = InitialPressure::Hydrostatic;
   EXPECT_LT(hydrostatic_error(*start(scene)->snapshot(), 0.15), 1e-5);
   scene.scheme.initial_pressure = InitialPressure::Zero;
-  for (const float pressure : start(scene)->snapshot()->pressure) EXPECT_EQ(pressure, 0.0F);
+  const auto without = start(scene)->snapshot();
+  for (const float pressure : without->pressure) EXPECT_EQ(pressure, 0.0F);
 }
 
 TEST(InitialPressure, BalancesGravityFromTheFirstStep) {
-  // With the converged pressure still water starts with accelerations far below gravity; without it, it
-  // falls freely.
+  // With the converged pressure still water starts with accelerations far below gravity, most of them at the
+  // surface, one layer in fifteen, that has no pressure of its own; without it, it falls freely.
   Scene scene = still_water_2d();
   use_fixed_step(scene, 1e-4);
   const auto mean_acceleration = [&] {
@@ -74,16 +94,15 @@ TEST(InitialPressure, BalancesGravityFromTheFirstStep) {
     for (const Vec3f& velocity : simulation->snapshot()->velocity) sum += velocity.norm();
     return sum / (450.0 * 1e-4);
   };
-  EXPECT_LT(mean_acceleration(), 0.1 * kGravity);
+  EXPECT_LT(mean_acceleration(), 0.15 * kGravity);
   scene.scheme.initial_pressure = InitialPressure::Zero;
   EXPECT_GT(mean_acceleration(), 0.5 * kGravity);
 }
 
 TEST(InitialPressure, OfFallingWaterIsZero) {
   const Scene scene = tank(2, Vec3d(1.0, 0.0, 2.0), 0.02, box(Vec3d(0.4, 0.0, 1.6), Vec3d(0.6, 0.0, 1.8)));
-  for (const float pressure : start(scene)->snapshot()->pressure) {
-    EXPECT_LT(pressure, 1e-2F) << "Pa; rho g H is 1962";
-  }
+  const auto snapshot = start(scene)->snapshot();
+  for (const float pressure : snapshot->pressure) EXPECT_LT(pressure, 1e-2F) << "Pa; rho g H is 1962";
 }
 
 }  // namespace

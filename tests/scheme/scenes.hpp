@@ -46,9 +46,9 @@ inline Scene tank(int dimension, const Vec3d& size, double spacing, const Shape&
   return scene;
 }
 
-/// Water at rest all over the floor of a tank of 0.3 m, 0.15 m deep, in the plane.
-inline Scene still_water_2d() {
-  return tank(2, Vec3d(0.3, 0.0, 0.3), 0.01, box(Vec3d::Zero(), Vec3d(0.3, 0.0, 0.15)));
+/// Water at rest all over the floor of a tank of 0.3 m, in the plane.
+inline Scene still_water_2d(double depth = 0.15) {
+  return tank(2, Vec3d(0.3, 0.0, depth + 0.15), 0.01, box(Vec3d::Zero(), Vec3d(0.3, 0.0, depth)));
 }
 
 /// A column at the left end that runs along a tank.
