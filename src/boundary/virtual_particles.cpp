@@ -20,7 +20,7 @@ Repulsion::Repulsion(const Scene& scene) {
 }
 
 double Repulsion::raw(double distance) const {
-  if (distance >= cutoff) return 0.0;
+  if (distance >= cutoff || cutoff <= 0.0) return 0.0;
   const double r = std::max(distance, kNearest * cutoff);
   const double ratio = cutoff * cutoff / (r * r);  // (r0/r)^2
   return strength * (ratio * ratio - ratio) / r;

@@ -30,12 +30,12 @@ class AlignedBuffer {
 
   /// Storage grows by an eighth more than asked for, to keep the peak memory close to the need.
   void resize(std::size_t size) {
-    if (size > capacity_) grow(size + size / 8 + kSlack);
+    if (size + kSlack > capacity_) grow(size + size / 8 + kSlack);
     size_ = size;
   }
   /// Like resize, without storage to spare.
   void resize_exactly(std::size_t size) {
-    if (size > capacity_) grow(size);
+    if (size + kSlack > capacity_) grow(size + kSlack);
     size_ = size;
   }
   void fill(const T& value) { std::fill_n(data_, size_, value); }

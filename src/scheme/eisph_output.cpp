@@ -83,16 +83,14 @@ void EisphSolver<Dim>::add_up(const std::vector<BlockSums>& blocks) {
   double potential = 0.0;
   double squared = 0.0;
   double density = 0.0;
-  std::uint32_t bad = kNoRow;
   for (const BlockSums& block : blocks) {
     kinetic += block.kinetic;
     potential += block.potential;
     squared = std::max(squared, block.speed_squared_max);
     density = std::max(density, block.number_density_max);
     penetrations_ += block.penetrations;
-    bad = std::min(bad, block.bad_row);
+    if (block.bad_row != kNoRow) throw_blow_up(block);
   }
-  if (bad != kNoRow) throw_blow_up(bad);
   speed_max_ = std::sqrt(squared);
   compression_max_ = std::max(compression_max_, density - 1.0);
   energy_ = (kinetic + potential) * scene_.density * volume_;
@@ -101,22 +99,16 @@ void EisphSolver<Dim>::add_up(const std::vector<BlockSums>& blocks) {
 }
 
 template <int Dim>
-void EisphSolver<Dim>::throw_blow_up(std::uint32_t row) const {
-  std::array<double, Dim> at;
-  double squared = 0.0;
-  std::string velocity;
-  for (int d = 0; d < Dim; ++d) {
-    at[d] = position_[d][row];
-    squared += static_cast<double>(velocity_[d][row]) * velocity_[d][row];
-    velocity += fmt::format("{}{:.4g}", d == 0 ? "" : ", ", velocity_[d][row]);
-  }
-  const Vec3d place = scene_.domain_min + scene_vector(at);
+void EisphSolver<Dim>::throw_blow_up(const BlockSums& block) const {
+  const Vec3d place = scene_.domain_min + scene_vector(block.bad_position);
+  const Vec3d velocity = scene_vector(block.bad_velocity);
   throw BlowUpError(fmt::format(
       "the run blew up at t = {:.6g} s, step {} (time step {:.4g} s): particle {} at ({:.5g}, {:.5g}, "
       "{:.5g}) m "
-      "has velocity ({}) m/s; speeds up to {:.4g} m/s are taken as physical. A smaller time step "
-      "(scheme.phi or scheme.time_step) is the usual cure.",
-      time_, steps_ + 1, time_step_, id_[row], place.x(), place.y(), place.z(), velocity, speed_limit_));
+      "has velocity ({:.4g}, {:.4g}, {:.4g}) m/s; speeds up to {:.4g} m/s are taken as physical. A smaller "
+      "time step (scheme.phi or scheme.time_step) is the usual cure.",
+      time_, steps_ + 1, attempted_step_, id_[block.bad_row], place.x(), place.y(), place.z(), velocity.x(),
+      velocity.y(), velocity.z(), speed_limit_));
 }
 
 /// 95th percentile of n - 1 over the fluid.

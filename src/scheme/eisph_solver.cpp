@@ -95,6 +95,10 @@ void EisphSolver<Dim>::initialise() {
   StageClock clock;
   clock.start(Stage::Pressure);
   sort_fluid();
+  // A step leaves the velocities in the order of its sort; so does this.
+  for (std::uint32_t i = 0; i < fluid_; ++i) {
+    for (int d = 0; d < Dim; ++d) velocity_[d][i] = (&table_.velocity[table_.first_fluid + i].x)[d];
+  }
   place_boundaries();
   find_neighbours();
   // Density and the coefficients of the first snapshot; the pressures computed here are replaced below.
@@ -133,6 +137,7 @@ void EisphSolver<Dim>::step(double until) {
   const double remaining = until - time_;
   const double parts = std::max(1.0, std::ceil(remaining / admissible * (1.0 - 1e-12)));
   const double time_step = remaining / parts;
+  attempted_step_ = time_step;
   if (scene_.scheme.stepping == Stepping::Symplectic && steps_ == 0) {
     // The first positions of the symplectic stepping: half a step ahead.
     for (int d = 0; d < Dim; ++d) {
@@ -278,19 +283,12 @@ void EisphSolver<Dim>::place_boundaries() {
       position.w = solids_.pressure(from);
       table_.position[table_.first_object + k] = position;
       table_.velocity[table_.first_object + k] = object_rows_[1][k];
-      // What drives the pressure at a solid is its own motion alone.
-      Float4 source = object_rows_[1][k];
-      (&source.x)[Dim - 1] *= static_cast<float>(scene_.scheme.source_factor);
-      source.w = static_cast<float>(solids_.volume(from));
-      table_.source[table_.first_object + k] = source;
     }
   });
   const Float4* positions = table_.position.data() + table_.first_object;
   const auto image = [&](AlignedBuffer<Float4>& rows) { return rows.data() + table_.first_object_image; };
   object_images_.mirror_positions(planes_, positions, image(table_.position), pool_);
   object_images_.mirror_vectors(planes_, table_.velocity.data() + table_.first_object, image(table_.velocity),
-                                pool_);
-  object_images_.mirror_vectors(planes_, table_.source.data() + table_.first_object, image(table_.source),
                                 pool_);
   fluid_images_.mirror_positions(planes_, fluid_rows(table_.position),
                                  table_.position.data() + table_.first_image, pool_);
@@ -306,6 +304,25 @@ void EisphSolver<Dim>::find_neighbours() {
   groups[2] = {table_.first_fluid, fluid_sort_.start(), fluid_ == 0};
   groups[3] = {table_.first_image, fluid_images_.start(), fluid_images_.size() == 0};
   neighbours_.build(grid_, table_, groups, pool_);
+  set_object_sources();
+}
+
+/// What drives the pressure at a solid is its own motion alone. Objects without water in reach take no part
+/// in the pressures of the others: their own is zero for want of an equation, not because they are free.
+template <int Dim>
+void EisphSolver<Dim>::set_object_sources() {
+  pool_.run_blocks(solids_.size(), kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto row = static_cast<std::uint32_t>(table_.first_object + k);
+      Float4 source = object_rows_[1][k];
+      (&source.x)[Dim - 1] *= static_cast<float>(scene_.scheme.source_factor);
+      const double volume = solids_.volume(object_sort_.order()[k]);
+      source.w = neighbours_.is_wet(row) ? static_cast<float>(volume) : 0.0F;
+      table_.source[row] = source;
+    }
+  });
+  object_images_.mirror_vectors(planes_, table_.source.data() + table_.first_object,
+                                table_.source.data() + table_.first_object_image, pool_);
 }
 
 template EisphSolver<2>::EisphSolver(const Scene&, int);

@@ -60,7 +60,9 @@ class EisphSolver final : public Simulation {
     double speed_squared_max = 0.0;
     double number_density_max = 0.0;
     std::uint64_t penetrations = 0;
-    std::uint32_t bad_row = kNoRow;  ///< first particle whose velocity is unusable
+    std::uint32_t bad_row = kNoRow;  ///< first particle whose velocity is unusable, and that velocity
+    std::array<double, Dim> bad_velocity{};
+    std::array<double, Dim> bad_position{};
   };
   static constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
 
@@ -95,7 +97,10 @@ class EisphSolver final : public Simulation {
                BlockSums& sums) const;
   void add_up(const std::vector<BlockSums>& blocks);
   void record_compression();
-  void throw_blow_up(std::uint32_t row) const;
+  [[noreturn]] void throw_blow_up(const BlockSums& block) const;
+  void set_object_sources();
+  double repulsion_scale() const;
+  void add_repulsion(std::size_t i, double scale, std::array<double, Dim>& acceleration) const;
 
   [[nodiscard]] Float4* fluid_rows(AlignedBuffer<Float4>& rows) { return rows.data() + table_.first_fluid; }
   [[nodiscard]] double output_shift() const;
@@ -127,6 +132,7 @@ class EisphSolver final : public Simulation {
   AlignedBuffer<std::uint32_t> id_;
   double time_ = 0.0;
   double time_step_ = 0.0;
+  double attempted_step_ = 0.0;  ///< of the step in hand, s
   std::uint64_t steps_ = 0;
   double speed_max_ = 0.0;
 

@@ -33,12 +33,21 @@ Vector<Dim, Pack> splat_row(const Float4& row) {
 
 }  // namespace
 
+/// Repulsion grows with the square of the largest speed, as the step shrinks with that speed: a push stays
+/// the same fraction of dx per step (thesis (3.40): c^2 is of the scale of the square of the largest
+/// velocity).
+template <int Dim>
+double EisphSolver<Dim>::repulsion_scale() const {
+  const double ratio = speed_max_ / scene_.reference_speed();
+  return std::max(1.0, ratio * ratio);
+}
+
 /// a = g + viscosity + repulsion, and the vector whose divergence drives the pressure, s = omega u^n + dt a.
 template <int Dim>
 void EisphSolver<Dim>::accelerate(double time_step) {
   const double omega = scene_.scheme.source_factor;
   const bool viscous = viscosity_ > 0.0;
-  const bool repelled = !virtual_particles_.empty();
+  const double scale = repulsion_scale();
   pool_.run_blocks(fluid_, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       const auto row = static_cast<std::uint32_t>(table_.first_fluid + i);
@@ -47,18 +56,7 @@ void EisphSolver<Dim>::accelerate(double time_step) {
         const Vector<Dim, double> drag = viscous_acceleration(row);
         for (int d = 0; d < Dim; ++d) acceleration[d] += drag.x[d];
       }
-      if (repelled) {
-        std::array<double, Dim> at;
-        for (int d = 0; d < Dim; ++d) at[d] = position_[d][i];
-        virtual_particles_.add_acceleration(at, acceleration);
-      }
-      if (neighbours_.of(row).near_object) {
-        std::array<double, Dim> at;
-        for (int d = 0; d < Dim; ++d) at[d] = position_[d][i];
-        Vec3d push = Vec3d::Zero();
-        solids_.add_repulsion(scene_.domain_min + scene_vector(at), push);
-        for (int d = 0; d < Dim; ++d) acceleration[d] += push[scene_axis<Dim>(d)];
-      }
+      add_repulsion(i, scale, acceleration);
       const float* u = &table_.velocity[row].x;
       Float4 source{};
       for (int d = 0; d < Dim; ++d) {
@@ -70,6 +68,23 @@ void EisphSolver<Dim>::accelerate(double time_step) {
   });
   fluid_images_.mirror_vectors(planes_, fluid_rows(table_.source), table_.source.data() + table_.first_image,
                                pool_);
+}
+
+template <int Dim>
+void EisphSolver<Dim>::add_repulsion(std::size_t i, double scale,
+                                     std::array<double, Dim>& acceleration) const {
+  const bool near_object = neighbours_.of(static_cast<std::uint32_t>(table_.first_fluid + i)).near_object;
+  if (virtual_particles_.empty() && !near_object) return;
+  std::array<double, Dim> at;
+  for (int d = 0; d < Dim; ++d) at[d] = position_[d][i];
+  std::array<double, Dim> push{};
+  virtual_particles_.add_acceleration(at, push);
+  if (near_object) {
+    Vec3d from_objects = Vec3d::Zero();
+    solids_.add_repulsion(scene_.domain_min + scene_vector(at), from_objects);
+    for (int d = 0; d < Dim; ++d) push[d] += from_objects[scene_axis<Dim>(d)];
+  }
+  for (int d = 0; d < Dim; ++d) acceleration[d] += scale * push[d];
 }
 
 template <int Dim>
@@ -299,7 +314,11 @@ void EisphSolver<Dim>::update_particle(std::uint32_t i, double time_step, bool n
     position[d] = position_[d][i] + moved;
     squared += velocity[d] * velocity[d];
   }
-  if (!(squared < speed_limit_ * speed_limit_) && sums.bad_row == kNoRow) sums.bad_row = i;
+  if (!(squared < speed_limit_ * speed_limit_) && sums.bad_row == kNoRow) {
+    sums.bad_row = i;
+    sums.bad_velocity = velocity;
+    for (int d = 0; d < Dim; ++d) sums.bad_position[d] = position_[d][i];
+  }
   contain(position, velocity, near_object, sums);
   const double output_shift = symplectic ? -0.5 * time_step : 0.0;
   for (int d = 0; d < Dim; ++d) {
