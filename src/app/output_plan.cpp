@@ -36,6 +36,7 @@ OutputPlan::OutputPlan(const Scene& scene, bool frames)
     schedule.interval = interval;
     if (!schedule.empty()) probes_.push_back(schedule);
   };
+  add_probe(scene.output.ledger_interval);
   for (const Gauge& gauge : scene.gauges) add_probe(gauge.interval);
   for (const PointProbe& probe : scene.probes) add_probe(probe.interval);
   for (std::size_t image = 0; image < scene.images.size(); ++image) {

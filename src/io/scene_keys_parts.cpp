@@ -214,6 +214,8 @@ KeyTable<OutputSettings> output_keys() {
                     "without both: as times and interval");
   add_schedule_keys(keys, "depth_", &OutputSettings::depth, "depth grids (.vti)",
                     "without both: as times and interval");
+  keys.number("ledger_interval", "s", &OutputSettings::ledger_interval, at_least(0.0),
+              "Interval of the leading edge and the ledger; 0: only at the times of other outputs.");
   keys.number("depth_cell_size", "m", &OutputSettings::depth_cell_size, above(0.0), "Cell of the depth grid.")
       .fallback("1.5 dx");
   keys.choice<bool>(
