@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1024;
 /// Height of the cell grid in units of the initial height of the water.
-constexpr double kGridHeight = 1.5;
+constexpr double kGridHeight = 1.0;
 /// Blow-up: speeds beyond this many times the largest that gravity and the initial state explain.
 constexpr double kSpeedLimitFactor = 20.0;
 
@@ -40,7 +40,7 @@ EisphSolver<Dim>::EisphSolver(const Scene& scene, int threads)
     cells[d] = extent_[d] / h_;
   }
   place_particles();
-  // Cells up to well above the water; the few particles that fly higher share the topmost ones.
+  // Cells up to a little above the water at rest; the few particles that fly higher share the topmost ones.
   double top = 0.0;
   for (std::uint32_t i = 0; i < fluid_; ++i) top = std::max(top, position_[Dim - 1][i]);
   cells[Dim - 1] = std::min(cells[Dim - 1], kGridHeight * top / h_ + cubic_spline::kSupport);

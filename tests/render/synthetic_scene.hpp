@@ -65,11 +65,11 @@ inline bool inside_solid(const Scene& scene, const Vec3d& point) {
 }
 
 inline void add_particle(State& state, const Vec3d& point, const Vec3d& velocity, double pressure) {
-  state.snapshot.id.push_back(static_cast<std::uint32_t>(state.snapshot.id.size()));
-  state.snapshot.position.push_back(point.cast<float>());
-  state.snapshot.velocity.push_back(velocity.cast<float>());
-  state.snapshot.pressure.push_back(static_cast<float>(pressure));
-  state.snapshot.number_density.push_back(1.0F);
+  state.snapshot.id.emplace_back(static_cast<std::uint32_t>(state.snapshot.id.size()));
+  state.snapshot.position.emplace_back(point.cast<float>());
+  state.snapshot.velocity.emplace_back(velocity.cast<float>());
+  state.snapshot.pressure.emplace_back(static_cast<float>(pressure));
+  state.snapshot.number_density.emplace_back(1.0F);
 }
 
 inline void fill_depth(State& state, double cell_size) {
