@@ -38,8 +38,9 @@ Vector<Dim, Pack> splat_row(const Float4& row) {
 /// velocity).
 template <int Dim>
 double EisphSolver<Dim>::repulsion_scale() const {
-  const double ratio = speed_max_ / scene_.reference_speed();
-  return std::max(1.0, ratio * ratio);
+  const double reference = scene_.reference_speed();
+  if (!(speed_max_ > reference) || reference <= 0.0) return 1.0;
+  return speed_max_ * speed_max_ / (reference * reference);
 }
 
 /// a = g + viscosity + repulsion, and the vector whose divergence drives the pressure, s = omega u^n + dt a.

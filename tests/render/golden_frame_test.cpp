@@ -127,9 +127,10 @@ TEST_P(GoldenField, ColoursTheParticles) {
   synthetic::State state = synthetic::tank(0.02);
   auto objects = std::make_shared<ObjectParticles>();
   for (int k = 0; k < 12; ++k) {
-    for (int j = 0; j < 16; ++j)
+    for (int j = 0; j < 16; ++j) {
       objects->position.emplace_back(1.43F, 0.46F + 0.02F * static_cast<float>(j),
                                      0.01F + 0.02F * static_cast<float>(k));
+    }
   }
   state.snapshot.objects = objects;
   ImageSettings settings = small();

@@ -91,7 +91,8 @@ TEST(InitialPressure, BalancesGravityFromTheFirstStep) {
     const auto simulation = start(scene);
     simulation->step(1.0);
     double sum = 0.0;
-    for (const Vec3f& velocity : simulation->snapshot()->velocity) sum += velocity.norm();
+    for (const auto snapshot = simulation->snapshot(); const Vec3f& velocity : snapshot->velocity)
+      sum += velocity.norm();
     return sum / (450.0 * 1e-4);
   };
   EXPECT_LT(mean_acceleration(), 0.15 * kGravity);

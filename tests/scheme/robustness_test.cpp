@@ -59,7 +59,8 @@ TEST(Robustness, NoSlipWallsHoldTheWaterToo) {
   const auto free_slip = start(dam_break_2d());
   const auto furthest = [](const Simulation& simulation) {
     double x = 0.0;
-    for (const Vec3f& position : simulation.snapshot()->position) x = std::max<double>(x, position.x());
+    for (const auto snapshot = simulation.snapshot(); const Vec3f& position : snapshot->position)
+      x = std::max<double>(x, position.x());
     return x;
   };
   run_until(*no_slip, 0.2);
@@ -85,7 +86,7 @@ TEST(Robustness, ATankNarrowerThanASupportRadiusStaysFinite) {
   EXPECT_NEAR(mean_pressure(*simulation->snapshot()), expected, 1e-3 * expected);
   run_until(*simulation, 0.4);
   expect_contained(*simulation, scene);
-  for (const Vec3f& velocity : simulation->snapshot()->velocity) {
+  for (const auto snapshot = simulation->snapshot(); const Vec3f& velocity : snapshot->velocity) {
     EXPECT_LT(std::abs(velocity.y()), 1.5) << "no runaway across the gap";
   }
 }

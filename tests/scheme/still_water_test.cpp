@@ -45,7 +45,8 @@ TEST(StillWater, KeepsItsSurface) {
   const auto simulation = start(still_water_2d());
   run_until(*simulation, 1.0);
   double top = 0.0;
-  for (const Vec3f& position : simulation->snapshot()->position) top = std::max<double>(top, position.z());
+  for (const auto snapshot = simulation->snapshot(); const Vec3f& position : snapshot->position)
+    top = std::max<double>(top, position.z());
   EXPECT_NEAR(top, 0.145, 0.002) << "a fifth of a spacing";
 }
 
