@@ -6,7 +6,8 @@ namespace eisph {
 
 std::filesystem::path home_folder() {
   const char* home = std::getenv("EISPH_HOME");  // NOLINT(concurrency-mt-unsafe)
-  return home != nullptr && *home != '\0' ? std::filesystem::path(home) : std::filesystem::path(EISPH_SOURCE_DIR);
+  return home != nullptr && *home != '\0' ? std::filesystem::path(home)
+                                          : std::filesystem::path(EISPH_SOURCE_DIR);
 }
 
 }  // namespace eisph

@@ -17,12 +17,12 @@ struct RunSummary {
   std::uint64_t ghost_particles_max = 0;  ///< most ghosts held at once
   int threads = 1;
   std::uint64_t steps = 0;
-  double simulated_time = 0.0;              ///< s
-  double time_step_mean = 0.0;              ///< s
-  double wall_time_loop = 0.0;              ///< s, time loop alone
-  double wall_time_initial_pressure = 0.0;  ///< s
-  double particle_steps_per_second = 0.0;   ///< fluid particles x steps / wall_time_loop
-  double cpu_time_total = 0.0;              ///< s, all threads of the process
+  double simulated_time = 0.0;                               ///< s
+  double time_step_mean = 0.0;                               ///< s
+  double wall_time_loop = 0.0;                               ///< s, time loop alone
+  double wall_time_initial_pressure = 0.0;                   ///< s
+  double particle_steps_per_second = 0.0;                    ///< fluid particles x steps / wall_time_loop
+  double cpu_time_total = 0.0;                               ///< s, all threads of the process
   std::map<std::string, double> stage_ns_per_particle_step;  ///< wall clock ns, by stage
   double state_bytes_per_particle = 0.0;
   std::map<std::string, double> state_bytes_by_array;  ///< bytes

@@ -165,11 +165,11 @@ struct ImageSettings {
 
 /// What is written besides frames.
 struct OutputSettings {
-  Schedule frames;                 ///< of the images that have no schedule of their own
-  Schedule particles;              ///< .vtp files
-  Schedule depth;                  ///< .vti depth grids
+  Schedule frames;               ///< of the images that have no schedule of their own
+  Schedule particles;            ///< .vtp files
+  Schedule depth;                ///< .vti depth grids
   double ledger_interval = 0.0;  ///< s, of the leading edge and the ledger; 0: at the times of other outputs
-  double depth_cell_size = 0.0;    ///< m, default 1.5 dx
+  double depth_cell_size = 0.0;  ///< m, default 1.5 dx
   bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
   int queue_length = 2;
 

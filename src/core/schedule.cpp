@@ -14,8 +14,8 @@ double Schedule::next_after(double time, double tolerance) const {
 }
 
 bool Schedule::is_due(double time, double tolerance) const {
-  const bool listed = std::any_of(times.begin(), times.end(),
-                                  [&](double due) { return std::abs(due - time) <= tolerance; });
+  const bool listed =
+      std::any_of(times.begin(), times.end(), [&](double due) { return std::abs(due - time) <= tolerance; });
   return listed || (interval > 0.0 && std::abs(time - interval * std::round(time / interval)) <= tolerance);
 }
 

@@ -19,7 +19,8 @@ double Shape::signed_distance(const Vec3d& point, int dimension) const {
       const double axial = std::abs(offset.z() - 0.5 * height) - 0.5 * height;
       return std::min(std::max(radial, axial), 0.0) + std::hypot(std::max(radial, 0.0), std::max(axial, 0.0));
     }
-    case ShapeKind::Box: break;
+    case ShapeKind::Box:
+      break;
   }
   const Vec3d half = 0.5 * (max - min);
   Vec3d local = point - 0.5 * (min + max);
@@ -43,7 +44,8 @@ void Shape::bounds(Vec3d& lower, Vec3d& upper) const {
       lower = centre - Vec3d(radius, radius, 0.0);
       upper = centre + Vec3d(radius, radius, height);
       return;
-    case ShapeKind::Box: break;
+    case ShapeKind::Box:
+      break;
   }
   const double c = std::abs(std::cos(rotation_z));
   const double s = std::abs(std::sin(rotation_z));
@@ -60,7 +62,8 @@ double Shape::volume(int dimension) const {
                             : 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
     case ShapeKind::Cylinder:
       return dimension == 2 ? 2.0 * radius * height : std::numbers::pi * radius * radius * height;
-    case ShapeKind::Box: break;
+    case ShapeKind::Box:
+      break;
   }
   const Vec3d size = max - min;
   return dimension == 2 ? size.x() * size.z() : size.prod();

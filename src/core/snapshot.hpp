@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/shape.hpp"
+
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-#include "core/shape.hpp"
 
 namespace eisph {
 
@@ -21,10 +21,10 @@ struct ObjectParticles {
 /// Arrays have one entry per fluid particle, in the order of `id`, so that row k is the same particle in
 /// every snapshot as long as none has left the domain.
 struct Snapshot {
-  double time = 0.0;        ///< s
-  std::uint64_t step = 0;   ///< steps taken
-  double time_step = 0.0;   ///< s, of the last step
-  int dimension = 3;        ///< in 2D y is zero
+  double time = 0.0;               ///< s
+  std::uint64_t step = 0;          ///< steps taken
+  double time_step = 0.0;          ///< s, of the last step
+  int dimension = 3;               ///< in 2D y is zero
   double particle_spacing = 0.0;   ///< m
   double smoothing_length = 0.0;   ///< m
   double particle_mass = 0.0;      ///< kg (kg/m in 2D)
