@@ -29,6 +29,7 @@ class ChildProcess {
   explicit ChildProcess(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), EISPH_BINARY);
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
 
