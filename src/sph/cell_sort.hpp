@@ -21,7 +21,7 @@ class CellSort {
     [[nodiscard]] std::size_t bytes() const { return keys.bytes() + histogram.bytes(); }
   };
 
-  /// key(i) gives the cell of particle i, in [0, cells). Keys of `cells` and above put particles at the end,
+  /// key(i) gives the cell of particle i, in [0, cells), or `cells`, which puts the particle at the end,
   /// beyond start()[cells].
   template <class Key>
   void sort(std::size_t count, std::size_t cells, ThreadPool& pool, Workspace& workspace, const Key& key) {
