@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/column_field.hpp"
 #include "core/shape.hpp"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ struct Snapshot {
   std::vector<float> number_density;  ///< normalised by the lattice's: 1 inside, less near the free surface
 
   std::shared_ptr<const ObjectParticles> objects;  ///< never null
+  std::shared_ptr<const ColumnField> columns;      ///< of a depth-averaged model; null for particles
 
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };
