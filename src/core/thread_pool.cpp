@@ -44,7 +44,7 @@ void wait_while(const std::atomic<Value>& variable, Value unwanted) {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
   for (int worker = 1; worker < std::max(threads, 1); ++worker) {
     workers_.emplace_back([this, worker] { work(worker); });
   }
@@ -61,7 +61,9 @@ void ThreadPool::dispatch(std::size_t items, Task task) {
   task_ = task;
   items_ = static_cast<std::uint32_t>(items);
   unfinished_.store(items_, std::memory_order_relaxed);
-  untaken_.store(items_, std::memory_order_release);
+  for (std::size_t share = 0; share < shares_.size(); ++share) {
+    shares_[share].untaken.store(first_item(share + 1) - first_item(share), std::memory_order_release);
+  }
   if (!workers_.empty() && items > 1) {
     generation_.fetch_add(1, std::memory_order_release);
     generation_.notify_all();
@@ -85,12 +87,19 @@ void ThreadPool::work(int worker) {
 
 void ThreadPool::take_items(int worker) {
   const FlushDenormals flush;
-  std::uint32_t untaken = untaken_.load(std::memory_order_acquire);
+  for (std::size_t k = 0; k < shares_.size(); ++k) {
+    take_items_of((static_cast<std::size_t>(worker) + k) % shares_.size(), worker);
+  }
+}
+
+void ThreadPool::take_items_of(std::size_t share, int worker) {
+  std::atomic<std::uint32_t>& shared = shares_[share].untaken;
+  std::uint32_t untaken = shared.load(std::memory_order_acquire);
   while (untaken != 0) {
-    if (!untaken_.compare_exchange_weak(untaken, untaken - 1, std::memory_order_acq_rel)) continue;
-    task_.call(task_.context, items_ - untaken, worker);
+    if (!shared.compare_exchange_weak(untaken, untaken - 1, std::memory_order_acq_rel)) continue;
+    task_.call(task_.context, first_item(share + 1) - untaken, worker);
     if (unfinished_.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished_.notify_one();
-    untaken = untaken_.load(std::memory_order_acquire);
+    untaken = shared.load(std::memory_order_acquire);
   }
 }
 

@@ -41,17 +41,7 @@ class CellSort {
         ++histogram[keys[i]];
       }
     });
-    std::uint32_t total = 0;
-    for (std::size_t cell = 0; cell <= cells; ++cell) {
-      start_[cell] = total;
-      for (std::size_t thread = 0; thread < threads; ++thread) {
-        std::uint32_t& slot = histograms[thread * (cells + 1) + cell];
-        const std::uint32_t here = slot;
-        slot = total;
-        total += here;
-      }
-    }
-    start_[cells + 1] = total;
+    number_slots(cells, pool, histograms);
     pool.run(threads, [&](std::size_t thread, int) {
       std::uint32_t* slot = histograms + thread * (cells + 1);
       for (std::size_t i = bounds(thread); i < bounds(thread + 1); ++i) {
@@ -65,6 +55,38 @@ class CellSort {
   [[nodiscard]] std::size_t bytes() const { return order_.bytes() + start_.bytes(); }
 
  private:
+  /// Turns the counts of the threads into the place of the first particle of each cell and thread. Every
+  /// thread numbers a range of the cells, from the count of all cells before it.
+  void number_slots(std::size_t cells, ThreadPool& pool, std::uint32_t* histograms) {
+    const auto threads = static_cast<std::size_t>(pool.threads());
+    const auto bound = [&](std::size_t range) { return (cells + 1) * range / threads; };
+    before_.resize(threads + 1);
+    before_[0] = 0;
+    pool.run(threads, [&](std::size_t range, int) {
+      std::uint32_t count = 0;
+      for (std::size_t thread = 0; thread < threads; ++thread) {
+        const std::uint32_t* histogram = histograms + thread * (cells + 1);
+        for (std::size_t cell = bound(range); cell < bound(range + 1); ++cell) count += histogram[cell];
+      }
+      before_[range + 1] = count;
+    });
+    for (std::size_t range = 0; range < threads; ++range) before_[range + 1] += before_[range];
+    pool.run(threads, [&](std::size_t range, int) {
+      std::uint32_t total = before_[range];
+      for (std::size_t cell = bound(range); cell < bound(range + 1); ++cell) {
+        start_[cell] = total;
+        for (std::size_t thread = 0; thread < threads; ++thread) {
+          std::uint32_t& slot = histograms[thread * (cells + 1) + cell];
+          const std::uint32_t here = slot;
+          slot = total;
+          total += here;
+        }
+      }
+    });
+    start_[cells + 1] = before_[threads];
+  }
+
+  AlignedBuffer<std::uint32_t> before_;  ///< particles in the cells before each range
   AlignedBuffer<std::uint32_t> order_;
   AlignedBuffer<std::uint32_t> start_;
 };
