@@ -26,9 +26,12 @@ struct NumberTable {
                             double y_factor = 1.0) const;
 };
 
-/// Reads a table of a run. An empty field is not-a-number: no water there. Throws InputError naming file,
-/// line and column if the file cannot be read, a row has another number of fields than the header, or a field
-/// is no number.
-[[nodiscard]] NumberTable read_number_table(const std::filesystem::path& path);
+enum class EmptyFields { AreGaps, AreErrors };
+
+/// Reads a table of a run, where an empty field is not-a-number: no water there. Throws InputError naming
+/// file, line and column if the file cannot be read, a row has another number of fields than the header, or a
+/// field is no number.
+[[nodiscard]] NumberTable read_number_table(const std::filesystem::path& path,
+                                            EmptyFields empty_fields = EmptyFields::AreGaps);
 
 }  // namespace eisph

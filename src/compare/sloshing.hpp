@@ -22,7 +22,7 @@ class SloshingWave {
   [[nodiscard]] double surface(double x, double t) const;
   [[nodiscard]] double velocity_x(double x, double z, double t) const;
   [[nodiscard]] double velocity_z(double x, double z, double t) const;
-  /// Pa, hydrostatic part included; zero above the still surface's linear extension.
+  /// Pa, hydrostatic part rho g (H - z) included; no less than zero.
   [[nodiscard]] double pressure(double x, double z, double t, double density = 1000.0) const;
 
  private:
