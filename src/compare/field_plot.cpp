@@ -19,10 +19,10 @@ constexpr const char* kPalette =
     "6 '#5ec962', 7 '#addc30', 8 '#fde725')\n";
 
 // Room around the axes, pixels: marks and label; colour bar; title; marks and label.
-constexpr double kLeft = 84.0;
-constexpr double kRight = 128.0;
+constexpr double kLeft = 100.0;
+constexpr double kRight = 160.0;
 constexpr double kAbove = 44.0;
-constexpr double kBelow = 62.0;
+constexpr double kBelow = 68.0;
 
 struct FieldAxes {
   PlotRange x;
@@ -56,9 +56,9 @@ std::string frame_script(const FieldAxes& axes, int width, int height, const std
                          const std::string& x_label, const std::string& y_label,
                          const std::string& value_label) {
   std::string script = gnuplot_preamble(width, height) + kPalette + "unset key\nunset grid\n";
-  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {} offset 0.6,0\n",
-                        gnuplot_quoted(title), gnuplot_quoted(x_label), gnuplot_quoted(y_label),
-                        gnuplot_quoted(value_label));
+  script += fmt::format(
+      "set title {}\nset xlabel {}\nset ylabel {} offset 0.3,0\nset cblabel {} offset 0.6,0\n",
+      gnuplot_quoted(title), gnuplot_quoted(x_label), gnuplot_quoted(y_label), gnuplot_quoted(value_label));
   const auto range = [&](const char* axis, const PlotRange& limits) {
     script +=
         fmt::format("set {}range [{}:{}]\n", axis, gnuplot_number(limits.least), gnuplot_number(limits.most));
@@ -173,7 +173,7 @@ void write_field_plot(const std::filesystem::path& path, const FieldPlot& plot, 
   const std::string outlines = line_block("outlines", plot.outlines);
   run_gnuplot(path, frame_script(axes, size.width, fitting_height(axes, size), plot.title, plot.x_label,
                                  plot.y_label, plot.value_label) +
-                        field + contours.before + outlines + "plot $field using 1:2:3 with image pixels" +
+                        field + contours.before + outlines + "plot $field using 1:2:3 with image" +
                         contours.drawing + outline_drawing(outlines) + "\n");
 }
 

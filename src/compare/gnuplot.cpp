@@ -108,7 +108,8 @@ void require_gnuplot() {
 }
 
 std::string gnuplot_quoted(std::string_view text) {
-  // Between single quotes gnuplot takes every character as it stands; two of them are one.
+  // Between single quotes gnuplot takes every character as it stands. Two of them should be one, but not at
+  // the beginning of a string (gnuplot 5.4): the typographic apostrophe ends none.
   std::string quoted = "'";
   while (!text.empty()) {
     const std::size_t length = character_length(text);
@@ -116,9 +117,10 @@ std::string gnuplot_quoted(std::string_view text) {
       quoted += '?';
     } else if (length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F)) {
       quoted += ' ';
+    } else if (text[0] == '\'') {
+      quoted += "\u2019";
     } else {
       quoted += text.substr(0, length);
-      if (text[0] == '\'') quoted += '\'';
     }
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
@@ -135,7 +137,8 @@ std::string gnuplot_preamble(int width, int height) {
       "set encoding utf8\n"
       "set border 15 linecolor rgb '#404040' linewidth 1\n"
       "set grid linetype 1 linecolor rgb '#e0e0e0' linewidth 1\n"
-      "set tics textcolor rgb '#202020'\n",
+      "set tics textcolor rgb '#202020'\n"
+      "set format '%g'\n",
       width, height);
 }
 

@@ -6,8 +6,8 @@
 
 namespace eisph {
 
-/// Text as a string of a gnuplot script: nothing in it is a command, a substitution or markup. Control
-/// characters become spaces, bytes that are no UTF-8 question marks.
+/// Text as a string of a gnuplot script: nothing in it is a command, a substitution or markup. An apostrophe
+/// becomes the typographic one, control characters become spaces, bytes that are no UTF-8 question marks.
 [[nodiscard]] std::string gnuplot_quoted(std::string_view text);
 
 /// A number of a gnuplot script; NaN where there is none.

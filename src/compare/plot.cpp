@@ -99,6 +99,12 @@ std::string common_legend(const std::vector<Plot>& plots, double height, SeriesL
          command + "\n";
 }
 
+/// Whether all plots have the same label along an axis.
+bool share_label(const std::vector<Plot>& plots, std::string Plot::*label) {
+  return std::all_of(plots.begin(), plots.end(),
+                     [&](const Plot& plot) { return plot.*label == plots.front().*label; });
+}
+
 }  // namespace
 
 void write_plot(const std::filesystem::path& path, const Plot& plot, PictureSize size) {
@@ -115,14 +121,18 @@ void write_plots(const std::filesystem::path& path, const std::string& title, co
   if (plots.empty() || columns == 0) throw std::invalid_argument("No plots to draw");
   const std::size_t rows = (plots.size() + columns - 1) / columns;
   // Room around the axes, as parts of the picture: title and legend, and in each cell labels and marks.
+  const bool shares_x_label = share_label(plots, &Plot::x_label);
+  const bool shares_y_label = share_label(plots, &Plot::y_label);
   const double head = title.empty() ? 0.0 : 40.0 / size.height;
-  const double foot = 44.0 / size.height;
+  const double legend = 44.0 / size.height;
+  const double label = 24.0 / size.height;
+  const double foot = legend + (shares_x_label ? label : 0.0);
   const double cell_width = 1.0 / static_cast<double>(columns);
   const double cell_height = (1.0 - head - foot) / static_cast<double>(rows);
-  const double left = 82.0 / size.width;
-  const double right = 18.0 / size.width;
-  const double below = 54.0 / size.height;
-  const double above = 28.0 / size.height;
+  const double left = 84.0 / size.width;
+  const double right = 20.0 / size.width;
+  const double below = 32.0 / size.height + (shares_x_label ? 0.0 : label);
+  const double above = 32.0 / size.height;
 
   SeriesLooks looks;
   std::string script = gnuplot_preamble(size.width, size.height);
@@ -138,10 +148,13 @@ void write_plots(const std::filesystem::path& path, const std::string& title, co
         {cell_left + left, cell_left + cell_width - right, cell_top - cell_height + below, cell_top - above});
     script += fmt::format("set title {} offset 0,-0.6\n", gnuplot_quoted(plots[k].title));
     script += axes_script(plots[k], plot_axes(plots[k]));
+    const bool is_lowest = k + columns >= plots.size();
+    if (shares_x_label && !is_lowest) script += "unset xlabel\n";
+    script += shares_y_label && k % columns != 0 ? "unset ylabel\n" : "set ylabel offset 0.5,0\n";
     script += drawing_script(plots[k], fmt::format("series_{}", k), looks);
     if (k == 0) script += "unset label 1\n";
   }
-  script += common_legend(plots, foot, looks) + "unset multiplot\n";
+  script += common_legend(plots, legend, looks) + "unset multiplot\n";
   run_gnuplot(path, script);
 }
 

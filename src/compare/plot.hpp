@@ -55,7 +55,8 @@ void require_gnuplot();
 void write_plot(const std::filesystem::path& path, const Plot& plot, PictureSize size = {});
 
 /// Several plots as one PNG, row by row, with `columns` in each row: for example profiles at several times.
-/// Series with the same label share the first plot's legend, which stands below all.
+/// Series with the same label look the same in all of them and have one entry in a legend below all; labels
+/// of the axes that all have in common stand at the edges only.
 void write_plots(const std::filesystem::path& path, const std::string& title, const std::vector<Plot>& plots,
                  std::size_t columns, PictureSize size = {900, 1100});
 

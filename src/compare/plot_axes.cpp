@@ -39,13 +39,16 @@ void widen(PlotRange& range, double value) {
 /// A range with some room at its ends; the end at zero of values of one sign stays.
 PlotRange with_room(const PlotRange& range, bool is_log, double share) {
   if (is_log) {
-    const double factor = range.most > range.least ? std::pow(range.most / range.least, share) : 2.0;
+    // Never none: a line along the frame is hard to see.
+    const double factor =
+        range.most > range.least ? std::pow(range.most / range.least, std::max(share, 0.02)) : 2.0;
     return {range.least / factor, range.most * factor};
   }
-  double room = share * (range.most - range.least);
-  if (!(room > 0.0)) room = std::max(0.1 * std::abs(range.most), 1e-12);
-  return {range.least >= 0.0 && range.least <= room ? 0.0 : range.least - room,
-          range.most <= 0.0 && range.most >= -room ? 0.0 : range.most + room};
+  const double width = range.most - range.least;
+  const double room = width > 0.0 ? share * width : std::max(0.1 * std::abs(range.most), 1e-12);
+  const double near_zero = std::max(room, 0.02 * width);
+  return {range.least >= 0.0 && range.least <= near_zero ? 0.0 : range.least - room,
+          range.most <= 0.0 && range.most >= -near_zero ? 0.0 : range.most + room};
 }
 
 /// Marks at 1, 2 and 5 times powers of ten for an axis that has too few powers; empty otherwise.
@@ -53,7 +56,9 @@ std::string log_marks(const PlotRange& range) {
   if (range.most / range.least > 200.0) return {};
   std::string marks;
   for (double power = std::floor(std::log10(range.least)); power <= std::log10(range.most); power += 1.0) {
-    for (const double digit : {1.0, 2.0, 3.0, 5.0, 7.0}) {
+    for (const double digit : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0}) {
+      const bool is_extra = digit == 1.5 || digit == 4.0;
+      if (is_extra && range.most / range.least > 8.0) continue;
       const double mark = digit * std::pow(10.0, power);
       if (mark < range.least || mark > range.most) continue;
       marks += fmt::format("{}'{:.6g}' {}", marks.empty() ? "" : ", ", mark, gnuplot_number(mark));
@@ -152,9 +157,8 @@ PlotAxes plot_axes(const Plot& plot) {
   const bool has_points = std::any_of(plot.series.begin(), plot.series.end(), [](const PlotSeries& series) {
     return series.style == SeriesStyle::Points || series.style == SeriesStyle::LinePoints;
   });
-  const double x_share = is_lone || has_points ? 0.02 : 0.0;
-  const bool keeps_x = x_share == 0.0 && !plot.x_log;
-  return {plot.x_range.value_or(keeps_x ? x_needed : with_room(x_needed, plot.x_log, 2.0 * x_share)),
+  const double x_share = is_lone || has_points ? 0.04 : 0.0;
+  return {plot.x_range.value_or(with_room(x_needed, plot.x_log, x_share)),
           plot.y_range.value_or(with_room(y_needed, plot.y_log, 0.06))};
 }
 

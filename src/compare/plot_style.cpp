@@ -51,18 +51,18 @@ SeriesLook SeriesLooks::look_of(const PlotSeries& series) {
 
 std::string series_drawing(const PlotSeries& series, const SeriesLook& look) {
   const std::string title = series.label.empty() ? "notitle" : "title " + gnuplot_quoted(series.label);
-  const auto lines = [&](int dash) {
+  const auto lines = [&](const char* dash) {
     return fmt::format("with lines linewidth 2 dashtype {} linecolor rgb '{}' {}", dash, look.colour, title);
   };
   switch (series.style) {
     case SeriesStyle::Line:
-      return lines(1);
+      return lines("solid");
     case SeriesStyle::Dashed:
-      return lines(2);
+      return lines("(9,5)");
     case SeriesStyle::Dotted:
-      return lines(3);
+      return lines("(2,4)");
     case SeriesStyle::Points:
-      return fmt::format("with points pointtype {} pointsize 0.9 linecolor rgb '{}' {}", look.point_type,
+      return fmt::format("with points pointtype {} pointsize 1.1 linecolor rgb '{}' {}", look.point_type,
                          look.colour, title);
     case SeriesStyle::LinePoints:
       return fmt::format("with linespoints linewidth 2 pointtype {} pointsize 1.1 linecolor rgb '{}' {}",

@@ -3,38 +3,38 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace eisph {
 
 namespace {
 
-/// A metric of a case, or its wall clock or speed, that is to be found in two reports.
-struct NamedValue {
-  std::string name;
-  std::string unit;
-  double value;
-};
-
-std::vector<NamedValue> named_values(const CaseReport& report) {
-  std::vector<NamedValue> values;
-  for (const Metric& metric : report.metrics) values.push_back({metric.name, metric.unit, metric.value});
-  values.push_back({"wall clock", "s", report.run.wall_clock});
-  values.push_back({"particle-steps per second", "1/s", report.run.particle_steps_per_second});
-  return values;
-}
-
-std::vector<MetricChange> changes_of(const CaseReport& now) {
-  std::vector<MetricChange> changes;
-  for (const NamedValue& value : named_values(now)) {
-    changes.push_back({now.name, value.name, value.unit, std::nullopt, value.value});
-  }
-  return changes;
+std::vector<Metric> all_metrics(const CaseReport& report) {
+  std::vector<Metric> metrics = report.metrics;
+  for (Metric& metric : run_metrics(report.run)) metrics.push_back(std::move(metric));
+  return metrics;
 }
 
 }  // namespace
 
 bool Metric::holds() const {
   return !std::isnan(value) && (!lower || value >= *lower) && (!upper || value <= *upper);
+}
+
+std::vector<Metric> run_metrics(const RunFigures& run) {
+  if (run.steps == 0) return {};
+  const auto count = [](std::uint64_t number) { return static_cast<double>(number); };
+  return {
+      {.name = "wall clock", .value = run.wall_clock, .unit = "s"},
+      {.name = "speed", .value = 1e-6 * run.particle_steps_per_second, .unit = "million particle-steps/s"},
+      {.name = "particles", .value = count(run.particles)},
+      {.name = "steps", .value = count(run.steps)},
+      {.name = "peak memory", .value = 1e-6 * count(run.peak_memory_bytes), .unit = "MB"},
+      {.name = "penetrations", .value = count(run.penetrations)},
+      {.name = "particles lost", .value = count(run.lost_particles)},
+      {.name = "largest compression", .value = 100.0 * run.compression_max, .unit = "%"},
+      {.name = "95th percentile of the compression", .value = 100.0 * run.compression_p95, .unit = "%"},
+      {.name = "energy gain", .value = 100.0 * run.energy_gain, .unit = "% of the initial energy"}};
 }
 
 std::size_t CaseReport::limits() const {
@@ -62,19 +62,21 @@ double MetricChange::ratio() const {
 std::vector<MetricChange> report_changes(const Report& now, const Report& earlier) {
   std::vector<MetricChange> changes;
   for (const CaseReport& report : now.cases) {
-    for (MetricChange& change : changes_of(report)) changes.push_back(std::move(change));
+    for (const Metric& metric : all_metrics(report)) {
+      changes.push_back({report.name, metric.name, metric.unit, std::nullopt, metric.value});
+    }
   }
   const std::size_t known = changes.size();
   for (const CaseReport& report : earlier.cases) {
-    for (const NamedValue& value : named_values(report)) {
+    for (const Metric& metric : all_metrics(report)) {
       const auto end = changes.begin() + static_cast<std::ptrdiff_t>(known);
       const auto same = std::find_if(changes.begin(), end, [&](const MetricChange& change) {
-        return change.case_name == report.name && change.metric == value.name;
+        return change.case_name == report.name && change.metric == metric.name;
       });
       if (same != end) {
-        same->before = value.value;
+        same->before = metric.value;
       } else {
-        changes.push_back({report.name, value.name, value.unit, value.value, std::nullopt});
+        changes.push_back({report.name, metric.name, metric.unit, metric.value, std::nullopt});
       }
     }
   }

@@ -49,6 +49,9 @@ struct RunFigures {
       0.0;  ///< largest rise above the lowest energy before it, divided by the initial energy
 };
 
+/// The same figures as metrics without limits, in the units that the report shows; none without a run.
+[[nodiscard]] std::vector<Metric> run_metrics(const RunFigures& run);
+
 struct CaseReport {
   std::string name;  ///< as on the command line; unique within a report
   std::string title;
@@ -94,8 +97,8 @@ struct MetricChange {
   /// now / before; not-a-number if either is missing or before is zero.
   [[nodiscard]] double ratio() const;
 };
-/// All metrics of both reports, and the wall clock and speed of each case, in the order of `now`; those that
-/// only the earlier report has come last. Cases that only the earlier report has are listed by their metrics.
+/// All metrics and run figures of both reports in the order of `now`; those that only the earlier report has
+/// come last.
 [[nodiscard]] std::vector<MetricChange> report_changes(const Report& now, const Report& earlier);
 
 /// Writes one HTML file that needs nothing else: figures are embedded. With an earlier report its values

@@ -102,22 +102,16 @@ std::string figure_html(const ReportFigure& figure) {
       html_escaped(figure.caption), base64(read_whole_file(figure.path)));
 }
 
-std::string run_table(const RunFigures& run) {
-  const auto row = [](const char* name, const std::string& value) {
-    return fmt::format("<tr><td>{}</td>{}</tr>\n", name, number_cell(value));
-  };
-  return "<h3>Runs</h3>\n" +
-         table_of(
-             row("wall clock", fmt::format("{:.1f} s", run.wall_clock)) +
-             row("particles", fmt::format("{}", run.particles)) + row("steps", fmt::format("{}", run.steps)) +
-             row("particle-steps per second",
-                 fmt::format("{:.2f} million", 1e-6 * run.particle_steps_per_second)) +
-             row("peak memory", fmt::format("{:.0f} MB", 1e-6 * static_cast<double>(run.peak_memory_bytes))) +
-             row("penetrations", fmt::format("{}", run.penetrations)) +
-             row("particles lost", fmt::format("{}", run.lost_particles)) +
-             row("compression, largest", fmt::format("{:.2f} %", 100.0 * run.compression_max)) +
-             row("compression, 95th percentile", fmt::format("{:.2f} %", 100.0 * run.compression_p95)) +
-             row("energy gain, of the initial energy", fmt::format("{:.3g} %", 100.0 * run.energy_gain)));
+std::string run_table(const CaseReport& report, const EarlierValues* earlier) {
+  std::string rows = "<tr><th>Figure</th><th class=\"number\">Value</th><th>Unit</th>";
+  if (earlier != nullptr) rows += "<th class=\"number\">Earlier</th><th class=\"number\">Ratio</th>";
+  rows += "</tr>\n";
+  for (const Metric& metric : run_metrics(report.run)) {
+    rows += "<tr><td>" + html_escaped(metric.name) + "</td>" + number_cell(number_text(metric.value)) +
+            "<td>" + html_escaped(metric.unit) + "</td>" + earlier_cells(report, metric.name, earlier) +
+            "</tr>\n";
+  }
+  return "<h3>Runs</h3>\n" + table_of(rows);
 }
 
 std::string anchor(std::size_t number) { return fmt::format("case-{}", number + 1); }
@@ -136,7 +130,7 @@ std::string case_section(const CaseReport& report, std::size_t number, const Ear
   for (const ReportTable& table : report.tables) html += text_table(table);
   if (!report.notes.empty()) html += "<h3>Notes</h3>\n";
   for (const std::string& note : report.notes) html += paragraph(note);
-  if (report.run.steps > 0) html += run_table(report.run);
+  if (report.run.steps > 0) html += run_table(report, earlier);
   return html;
 }
 
@@ -167,8 +161,9 @@ std::string summary_table(const Report& report) {
     rows += fmt::format(
         "<td><a href=\"#{}\">{}</a></td><td>{}</td>", anchor(k), html_escaped(one.name),
         one.failure.empty() ? result_text(one.holds()) : "<span class=\"fails\">NOT CARRIED OUT</span>");
-    rows += number_cell(fmt::format("{} of {}", one.limits_held(), one.limits())) + "<td>" + key_errors(one) +
-            "</td>" + number_cell(has_run ? fmt::format("{:.1f} s", one.run.wall_clock) : "") +
+    rows += number_cell(fmt::format("{} of {}", one.limits_held(), one.limits())) + "<td class=\"wide\">" +
+            key_errors(one) + "</td>" +
+            number_cell(has_run ? fmt::format("{:.1f} s", one.run.wall_clock) : "") +
             number_cell(has_run ? fmt::format("{:.2f}", 1e-6 * one.run.particle_steps_per_second) : "") +
             "</tr>\n";
   }

@@ -16,7 +16,9 @@ a { color: #00558a; }
 table { border-collapse: collapse; margin: .5rem 0; font-size: .92rem; }
 th, td { padding: .28rem .7rem; border-bottom: 1px solid #dcdce0; text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid #a8a8ac; font-weight: 600; }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
+td.wide { min-width: 22rem; }
 .holds { color: #00633f; font-weight: 600; white-space: nowrap; }
 .fails { color: #a31515; font-weight: 700; white-space: nowrap; }
 tr.fails-row td { background: #fdeceb; }
