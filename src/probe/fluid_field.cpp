@@ -165,7 +165,11 @@ double FluidField::water_fraction(const Vec3d& point) const {
     }
   }
   constexpr double kLeastSpace = 0.1;
-  const double solid = solids_.empty() ? 0.0 : axis_spline_beyond(distance_to_solids(point) / dx);
+  double solid = 0.0;
+  if (!solids_.empty()) {
+    const double distance = distance_to_solids(point) / dx;
+    solid = axis_spline(distance + 0.5) + axis_spline(distance + 1.5);
+  }
   return sum * volume / std::pow(dx, snapshot_->dimension) / std::max(1.0 - solid, kLeastSpace);
 }
 

@@ -38,10 +38,10 @@ class FluidField {
   ///   f(x) = sum_j V_j B(x - x_j) B(y - y_j) B(z - z_j) / (1 - s),   B(d) = axis_spline(d / dx) / dx
   ///
   /// with V_j = m / rho0. The sum includes mirror images across the side faces of the domain (open ones too,
-  /// as though the water went on unchanged) and across its floor and ceiling unless these are open. s is the
-  /// part of the kernel that the nearest solid takes up, its surface taken as a plane. On a lattice of
-  /// particles at rest f is 1 inside, and 1/2 on a free surface half a spacing above the highest particles,
-  /// exactly and up to walls and corners.
+  /// as though the water went on unchanged) and across its floor and ceiling unless these are open. s is what
+  /// layers of particles below the surface of the nearest solid would add, the first at half a spacing, the
+  /// surface taken as a plane. On a lattice of particles at rest f is 1 inside, and 1/2 on a free surface
+  /// half a spacing above the highest particles, exactly and up to walls, corners and faces of solids.
   [[nodiscard]] double water_fraction(const Vec3d& point) const;
   [[nodiscard]] bool is_wet(const Vec3d& point) const { return water_fraction(point) >= 0.5; }
   /// Inside an obstacle, a dam or a gate, not on its surface.

@@ -13,6 +13,7 @@ constexpr double kEdgeTolerance = 1e-4;
 
 constexpr double kStep = 0.25;      ///< particle spacings between two looks at the water
 constexpr double kAccuracy = 1e-5;  ///< particle spacings
+constexpr double kFoot = 1e-3;      ///< particle spacings
 
 /// The height between a wet and a dry one at which the surface lies.
 template <class IsWet>
@@ -56,7 +57,8 @@ double surface_level(const Gauge& gauge, const FluidField& field) {
   bool solid_between = false;
   for (long step = 0; step <= steps; ++step) {
     const double above_floor = std::min(static_cast<double>(step) * kStep * dx, height);
-    if (field.is_in_solid(point(above_floor))) {
+    // What counts is the water above: the foot of a solid that stands on the floor belongs to it.
+    if (field.is_in_solid(point(above_floor + kFoot * dx))) {
       solid_between = true;
     } else if (is_wet(above_floor)) {
       wet = above_floor;

@@ -106,25 +106,23 @@ void SurfaceDepth::add_solid(const Shape& shape, std::size_t gate, const DepthGr
   }
 }
 
-/// Splats the outline of a prism like water. Its own z does not count.
+/// Spreads the outline of a prism over the cells as though it were particles. Its own z does not count.
 void SurfaceDepth::add_prism(const Shape& outline, const Prism& prism, const DepthGrid& grid) {
-  constexpr double kFineness = 0.125;  ///< particle spacings
   const auto number = static_cast<std::uint32_t>(prisms_.size());
   prisms_.push_back(prism);
   std::vector<double> share(grid.depth.size(), 0.0);
   Vec3d centre = outline.centre;
   if (outline.kind == ShapeKind::Box) centre = 0.5 * (outline.min + outline.max);
-  const auto splat = [&](const Vec3d& point, double area) {
+  const auto spread = [&](const Vec3d& point, double area) {
     // Only what is inside the domain: the mirror images stand for the rest.
     if (point.x() < lower_.x() || point.x() > upper_.x()) return;
     if (dimension_ == 3 && (point.y() < lower_.y() || point.y() > upper_.y())) return;
     visit_cells(point.x(), point.y(), grid,
                 [&](std::size_t cell, double weight) { share[cell] += weight * area; });
   };
-  const double fineness = kFineness * dx_;
   if (outline.kind == ShapeKind::Box) {
     const Vec3d size = outline.max - outline.min;
-    const auto pieces = [&](double length) { return std::max(1.0, std::ceil(length / fineness)); };
+    const auto pieces = [&](double length) { return std::max(1.0, std::ceil(length / dx_ - 1e-6)); };
     const double columns = pieces(size.x());
     const double rows = dimension_ == 2 ? 1.0 : pieces(size.y());
     const double area = size.x() / columns * (dimension_ == 2 ? 1.0 : size.y() / rows);
@@ -134,13 +132,13 @@ void SurfaceDepth::add_prism(const Shape& outline, const Prism& prism, const Dep
       for (double j = 0.5; j < rows; j += 1.0) {
         const double u = (i / columns - 0.5) * size.x();
         const double v = dimension_ == 2 ? 0.0 : (j / rows - 0.5) * size.y();
-        splat(centre + Vec3d(c * u - s * v, s * u + c * v, 0.0), area);
+        spread(centre + Vec3d(c * u - s * v, s * u + c * v, 0.0), area);
       }
     }
   } else {
     for (const SurfaceElement& part :
-         disc_elements(centre, Vec3d::UnitZ(), 2.0 * outline.radius, fineness, dimension_)) {
-      splat(part.point, part.area);
+         disc_elements(centre, Vec3d::UnitZ(), 2.0 * outline.radius, dx_, dimension_)) {
+      spread(part.point, part.area);
     }
   }
   const double middle_height =

