@@ -37,8 +37,7 @@ OutputPlan::OutputPlan(const Scene& scene, bool frames)
     if (!schedule.empty()) probes_.push_back(schedule);
   };
   add_probe(scene.output.ledger_interval);
-  for (const Gauge& gauge : scene.gauges) add_probe(gauge.interval);
-  for (const PointProbe& probe : scene.probes) add_probe(probe.interval);
+  for (const double interval : probe_intervals(scene)) add_probe(interval);
   for (std::size_t image = 0; image < scene.images.size(); ++image) {
     const Schedule& schedule = scene.images[image].schedule;
     if (!schedule.empty()) frames_.push_back({image, schedule});

@@ -43,7 +43,8 @@ const std::map<std::string, std::regex>& written_names() {
   static const std::string ending = R"((\.tmp|\.part)?)";
   static const std::map<std::string, std::regex> names = {
       {"", std::regex(R"((scene\.toml|run\.json|run\.log|(particles|objects|depth)\.pvd|)"
-                      R"((gauge|probe)_.+\.csv|(leading_edge|ledger)\.csv))" +
+                      R"((gauge|probe|pressure_sensor|front|line|force|discharge)_.+\.csv|)"
+                      R"((leading_edge|ledger)\.csv))" +
                       ending)},
       {"frames", std::regex(R"(.+_\d{4,}\.png)" + ending)},
       {"particles", std::regex(R"((particles|objects)_\d{4,}\.vtp)" + ending)},

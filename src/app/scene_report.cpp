@@ -50,9 +50,27 @@ void add_tables(Report& report, const Scene& scene, const OutputCounts& counts) 
     report.row("probe", fmt::format("{} at ({:g}, {:g}, {:g}) m, {}", probe.name, at.x(), at.y(), at.z(),
                                     rows(probe.interval)));
   }
-  report.row("tables",
-             fmt::format("leading edge and ledger with every output, {} times from gauges and probes",
-                         counts.probe_times));
+  for (const PressureSensor& sensor : scene.pressure_sensors) {
+    const Vec3d& at = sensor.position;
+    report.row("pressure sensor", fmt::format("{} at ({:g}, {:g}, {:g}) m, {}", sensor.name, at.x(), at.y(),
+                                              at.z(), rows(sensor.interval)));
+  }
+  for (const FrontProbe& front : scene.fronts) {
+    report.row("front", fmt::format("{} along {}{}, {}", front.name, front.upwards ? '+' : '-',
+                                    "xyz"[front.axis], rows(front.interval)));
+  }
+  for (const LineProbe& line : scene.lines) {
+    report.row("line", fmt::format("{} of {} points, {} each", line.name, line.points, rows(line.interval)));
+  }
+  for (const ForceProbe& force : scene.forces) {
+    report.row("force", fmt::format("{} on {}, {}", force.name, force.obstacle, rows(force.interval)));
+  }
+  for (const DischargeProbe& plane : scene.discharges) {
+    report.row("discharge", fmt::format("{} through {} = {:g} m, {}", plane.name, "xyz"[plane.axis],
+                                        plane.position, rows(plane.interval)));
+  }
+  report.row("tables", fmt::format("leading edge and ledger with every output, {} times from probes",
+                                   counts.probe_times));
 }
 
 }  // namespace

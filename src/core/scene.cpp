@@ -14,4 +14,19 @@ std::optional<double> Gate::lift(double time) const {
 
 double Scene::reference_speed() const { return std::sqrt(2.0 * gravity.norm() * reference_depth); }
 
+std::vector<double> probe_intervals(const Scene& scene) {
+  std::vector<double> intervals;
+  const auto add = [&](const auto& probes) {
+    for (const auto& probe : probes) intervals.push_back(probe.interval);
+  };
+  add(scene.gauges);
+  add(scene.probes);
+  add(scene.pressure_sensors);
+  add(scene.fronts);
+  add(scene.lines);
+  add(scene.forces);
+  add(scene.discharges);
+  return intervals;
+}
+
 }  // namespace eisph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/instruments.hpp"
 #include "core/schedule.hpp"
 #include "core/shape.hpp"
 
@@ -66,8 +67,8 @@ struct Gate {
   bool operator==(const Gate&) const = default;
 };
 
-/// Water level in a control volume: the highest particle in a square column of side `size` about (x, y)
-/// (thesis section 4.2.1).
+/// Water level at (x, y): the highest particle in a square column of side `size` (thesis section 4.2.1), and
+/// the smoothed free surface on the axis.
 struct Gauge {
   std::string name;
   double x = 0.0;
@@ -170,6 +171,7 @@ struct OutputSettings {
   Schedule depth;                ///< .vti depth grids
   double ledger_interval = 0.0;  ///< s, of the leading edge and the ledger; 0: at the times of other outputs
   double depth_cell_size = 0.0;  ///< m, default 1.5 dx
+  DepthRule depth_rule = DepthRule::HighestParticle;
   bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
   int queue_length = 2;
 
@@ -203,6 +205,11 @@ struct Scene {
   std::vector<Gate> gates;
   std::vector<Gauge> gauges;
   std::vector<PointProbe> probes;
+  std::vector<PressureSensor> pressure_sensors;
+  std::vector<FrontProbe> fronts;
+  std::vector<LineProbe> lines;
+  std::vector<ForceProbe> forces;
+  std::vector<DischargeProbe> discharges;
 
   SchemeSettings scheme;
   BoundarySettings boundary;
@@ -216,5 +223,8 @@ struct Scene {
 
   bool operator==(const Scene&) const = default;
 };
+
+/// Intervals (s) of all probes of a scene.
+[[nodiscard]] std::vector<double> probe_intervals(const Scene& scene);
 
 }  // namespace eisph

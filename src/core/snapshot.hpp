@@ -31,6 +31,9 @@ struct Snapshot {
   double particle_mass = 0.0;      ///< kg (kg/m in 2D)
   double reference_density = 0.0;  ///< kg/m^3
 
+  std::uint64_t penetrations = 0;    ///< so far: particles put back inside a wall or a solid
+  std::uint64_t lost_particles = 0;  ///< so far: neither in the domain nor taken out through an open face
+
   std::vector<std::uint32_t> id;
   std::vector<Vec3f> position;        ///< m
   std::vector<Vec3f> velocity;        ///< m/s

@@ -41,10 +41,17 @@ void check_names(const Scene& scene, const SceneSource& source) {
                fixed ? scene.obstacles[k].name : scene.gates[k - scene.obstacles.size()].name);
   }
   NameRegister records(source);
-  for (std::size_t k = 0; k < scene.gauges.size(); ++k)
-    records.add(fmt::format("gauge.{}", k), scene.gauges[k].name);
-  for (std::size_t k = 0; k < scene.probes.size(); ++k)
-    records.add(fmt::format("probe.{}", k), scene.probes[k].name);
+  const auto add_records = [&](const auto& probes, const char* section) {
+    for (std::size_t k = 0; k < probes.size(); ++k)
+      records.add(fmt::format("{}.{}", section, k), probes[k].name);
+  };
+  add_records(scene.gauges, "gauge");
+  add_records(scene.probes, "probe");
+  add_records(scene.pressure_sensors, "pressure_sensor");
+  add_records(scene.fronts, "front");
+  add_records(scene.lines, "line");
+  add_records(scene.forces, "force");
+  add_records(scene.discharges, "discharge");
   NameRegister images(source);
   for (std::size_t k = 0; k < scene.images.size(); ++k)
     images.add(fmt::format("image.{}", k), scene.images[k].name);

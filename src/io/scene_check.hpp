@@ -4,14 +4,24 @@
 #include "io/scene_source.hpp"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace eisph {
 
 /// What no single key can tell: names, times, cameras, gates. Throws InputError.
 void check_settings(const Scene& scene, const SceneSource& source);
 
-/// Domain, bodies, instruments, particle counts and memory. Throws InputError.
+/// Domain, bodies, probes, particle counts and memory. Throws InputError.
 void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t available_memory);
+
+/// Places and ranges of the probes. Throws InputError.
+void check_probes(const Scene& scene, const SceneSource& source);
+
+/// Axes that a scene has.
+[[nodiscard]] std::vector<int> scene_axes(const Scene& scene);
+/// "the domain from ... to ...", for messages.
+[[nodiscard]] std::string domain_text(const Scene& scene);
 
 /// Section that solid `index` was read from, the obstacles counted first and the gates after them.
 [[nodiscard]] std::string solid_path(const Scene& scene, const SceneSource& source, std::size_t index);

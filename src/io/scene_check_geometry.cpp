@@ -19,18 +19,8 @@ constexpr double kTolerance = 1e-6;          ///< lengths, over the particle spa
 
 constexpr const char* kAxisNames = "xyz";
 
-/// Axes that a scene has.
-std::vector<int> axes(const Scene& scene) {
-  return scene.dimension == 2 ? std::vector<int>{0, 2} : std::vector<int>{0, 1, 2};
-}
-
-std::string domain_text(const Scene& scene) {
-  return fmt::format("the domain from {} to {}", write_vector(scene.domain_min, scene.dimension),
-                     write_vector(scene.domain_max, scene.dimension));
-}
-
 void check_domain(const Scene& scene, const SceneSource& source) {
-  for (const int axis : axes(scene)) {
+  for (const int axis : scene_axes(scene)) {
     const double extent = scene.domain_max[axis] - scene.domain_min[axis];
     if (extent < scene.smoothing_length()) {
       source.fail(
@@ -52,7 +42,7 @@ void check_shape(const Shape& shape, const std::string& path, const Scene& scene
     source.fail(path + ".shape", "a cylinder needs dimension = 3; expected \"box\" or \"sphere\"");
   }
   if (shape.kind != ShapeKind::Box) return;
-  for (const int axis : axes(scene)) {
+  for (const int axis : scene_axes(scene)) {
     if (shape.min[axis] < shape.max[axis]) continue;
     source.fail(path + ".max",
                 fmt::format("expected {} above that of min, {}", kAxisNames[axis], shape.min[axis]));
@@ -68,7 +58,7 @@ void check_region(const FluidRegion& region, const std::string& path, const Scen
   Vec3d upper;
   region.shape.bounds(lower, upper);
   const double tolerance = kTolerance * scene.particle_spacing;
-  for (const int axis : axes(scene)) {
+  for (const int axis : scene_axes(scene)) {
     const auto crosses = [&](double beyond, int face) {
       return beyond > tolerance && scene.faces[static_cast<std::size_t>(face)].kind != FaceKind::Symmetry;
     };
@@ -92,31 +82,11 @@ void check_solid(const Shape& shape, const std::string& path, const Scene& scene
   Vec3d lower;
   Vec3d upper;
   shape.bounds(lower, upper);
-  for (const int axis : axes(scene)) {
+  for (const int axis : scene_axes(scene)) {
     if (lower[axis] < scene.domain_max[axis] && upper[axis] > scene.domain_min[axis]) continue;
     source.fail(
         path + corner_key(shape, false),
         fmt::format("the solid is outside the domain; expected it to stand in {}", domain_text(scene)));
-  }
-}
-
-void check_instruments(const Scene& scene, const SceneSource& source) {
-  const auto inside = [&](const Vec3d& point, const std::vector<int>& checked) {
-    return std::all_of(checked.begin(), checked.end(), [&](int axis) {
-      return point[axis] >= scene.domain_min[axis] && point[axis] <= scene.domain_max[axis];
-    });
-  };
-  const std::vector<int> level = scene.dimension == 2 ? std::vector<int>{0} : std::vector<int>{0, 1};
-  for (std::size_t k = 0; k < scene.gauges.size(); ++k) {
-    const Gauge& gauge = scene.gauges[k];
-    if (inside(Vec3d(gauge.x, gauge.y, 0.0), level)) continue;
-    source.fail(fmt::format("gauge.{}.position", k),
-                fmt::format("the gauge is outside the domain; expected a place in {}", domain_text(scene)));
-  }
-  for (std::size_t k = 0; k < scene.probes.size(); ++k) {
-    if (inside(scene.probes[k].position, axes(scene))) continue;
-    source.fail(fmt::format("probe.{}.position", k),
-                fmt::format("the probe is outside the domain; expected a place in {}", domain_text(scene)));
   }
 }
 
@@ -136,7 +106,7 @@ double fixed_bytes(const Scene& scene) {
   }
   const Vec3d size = scene.domain_max - scene.domain_min;
   double cells = 1.0;
-  for (const int axis : axes(scene)) cells *= size[axis] / scene.support_radius() + 2.0;
+  for (const int axis : scene_axes(scene)) cells *= size[axis] / scene.support_radius() + 2.0;
   const double columns = (size.x() / scene.output.depth_cell_size + 1.0) *
                          (scene.dimension == 2 ? 1.0 : size.y() / scene.output.depth_cell_size + 1.0);
   return kBytesPerParticle * objects + kBytesPerCell * (cells + columns);
@@ -210,6 +180,15 @@ void check_overlap(const Scene& scene, const SceneSource& source) {
 
 }  // namespace
 
+std::vector<int> scene_axes(const Scene& scene) {
+  return scene.dimension == 2 ? std::vector<int>{0, 2} : std::vector<int>{0, 1, 2};
+}
+
+std::string domain_text(const Scene& scene) {
+  return fmt::format("the domain from {} to {}", write_vector(scene.domain_min, scene.dimension),
+                     write_vector(scene.domain_max, scene.dimension));
+}
+
 void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t available_memory) {
   check_domain(scene, source);
   if (scene.fluid.empty()) source.fail("fluid.region", "missing; expected at least one [[fluid.region]]");
@@ -219,7 +198,7 @@ void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t
   const std::vector<Shape> solids = solid_shapes(scene);
   for (std::size_t k = 0; k < solids.size(); ++k)
     check_solid(solids[k], solid_path(scene, source, k), scene, source);
-  check_instruments(scene, source);
+  check_probes(scene, source);
   check_count(scene, source, static_cast<double>(available_memory));
   check_overlap(scene, source);
 }

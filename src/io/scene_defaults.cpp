@@ -1,5 +1,6 @@
 #include "io/scene_defaults.hpp"
 
+#include "core/scene_geometry.hpp"
 #include "io/schema_value.hpp"
 
 #include <algorithm>
@@ -60,6 +61,32 @@ void complete_images(Scene& scene, const SceneSource& source) {
   }
 }
 
+void complete_probes(Scene& scene) {
+  const auto complete_intervals = [](auto& probes) {
+    for (auto& probe : probes) {
+      if (probe.interval == 0.0) probe.interval = kRecordInterval;
+    }
+  };
+  complete_intervals(scene.gauges);
+  complete_intervals(scene.probes);
+  complete_intervals(scene.pressure_sensors);
+  complete_intervals(scene.fronts);
+  complete_intervals(scene.lines);
+  complete_intervals(scene.forces);
+  complete_intervals(scene.discharges);
+  for (Gauge& gauge : scene.gauges) {
+    if (gauge.size == 0.0) gauge.size = kCellsPerSpacing * scene.particle_spacing;
+    if (gauge.height == 0.0) gauge.height = scene.domain_max.z() - scene.domain_min.z();
+  }
+  for (PressureSensor& sensor : scene.pressure_sensors) {
+    if (sensor.normal != Vec3d::Zero()) continue;
+    if (const auto face = nearest_face(scene, sensor.position)) sensor.normal = face->normal;
+  }
+  for (ForceProbe& force : scene.forces) {
+    if (!force.moment_point) force.moment_point = solid_base(scene, force.obstacle);
+  }
+}
+
 }  // namespace
 
 void complete_scene(Scene& scene, const SceneSource& source) {
@@ -71,14 +98,7 @@ void complete_scene(Scene& scene, const SceneSource& source) {
     if (!source.given("scheme.source_factor")) scene.scheme.source_factor = 1.0;
     if (!scene.scheme.volume_correction) scene.scheme.volume_correction = 0.1;
   }
-  for (Gauge& gauge : scene.gauges) {
-    if (gauge.size == 0.0) gauge.size = kCellsPerSpacing * scene.particle_spacing;
-    if (gauge.height == 0.0) gauge.height = scene.domain_max.z() - scene.domain_min.z();
-    if (gauge.interval == 0.0) gauge.interval = kRecordInterval;
-  }
-  for (PointProbe& probe : scene.probes) {
-    if (probe.interval == 0.0) probe.interval = kRecordInterval;
-  }
+  complete_probes(scene);
   if (scene.output.depth_cell_size == 0.0)
     scene.output.depth_cell_size = kCellsPerSpacing * scene.particle_spacing;
   complete_schedules(scene, source);

@@ -203,8 +203,16 @@ KeyTable<Scene> scene_keys() {
             "obstacle");
   keys.list("gate", &Scene::gates, gate_keys(),
             "A solid that holds the water back until it vanishes or is lifted.");
-  keys.list("gauge", &Scene::gauges, gauge_keys(), "Water level: the highest particle in a square column.");
+  keys.list("gauge", &Scene::gauges, gauge_keys(),
+            "Water level: the highest particle in a square column, and the free surface on its axis.");
   keys.list("probe", &Scene::probes, probe_keys(), "Pressure and velocity at a point.");
+  keys.list("pressure_sensor", &Scene::pressure_sensors, pressure_sensor_keys(),
+            "Pressure on a wall or on the surface of a solid: the mean over a disc or a square.");
+  keys.list("front", &Scene::fronts, front_keys(), "How far the water has come in a horizontal direction.");
+  keys.list("line", &Scene::lines, line_keys(), "Pressure and velocity along a straight line.");
+  keys.list("force", &Scene::forces, force_keys(), "Pressure force on a solid, and its moment.");
+  keys.list("discharge", &Scene::discharges, discharge_keys(),
+            "Volume that passes a plane, positive along its axis.");
   keys.section("scheme", &Scene::scheme, scheme_keys(), "Time stepping and pressure.");
   keys.section("boundary", &Scene::boundary, boundary_keys(), "Treatment of walls and solids.");
   keys.section("output", &Scene::output, output_keys(), "What is written when.");

@@ -15,6 +15,11 @@ namespace eisph {
 [[nodiscard]] KeyTable<Gate> gate_keys();
 [[nodiscard]] KeyTable<Gauge> gauge_keys();
 [[nodiscard]] KeyTable<PointProbe> probe_keys();
+[[nodiscard]] KeyTable<PressureSensor> pressure_sensor_keys();
+[[nodiscard]] KeyTable<FrontProbe> front_keys();
+[[nodiscard]] KeyTable<LineProbe> line_keys();
+[[nodiscard]] KeyTable<ForceProbe> force_keys();
+[[nodiscard]] KeyTable<DischargeProbe> discharge_keys();
 [[nodiscard]] KeyTable<SchemeSettings> scheme_keys();
 [[nodiscard]] KeyTable<BoundarySettings> boundary_keys();
 [[nodiscard]] KeyTable<OutputSettings> output_keys();

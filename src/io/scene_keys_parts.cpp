@@ -171,8 +171,7 @@ KeyTable<Gate> gate_keys() {
 
 KeyTable<Gauge> gauge_keys() {
   KeyTable<Gauge> keys;
-  keys.identifier("name", &Gauge::name, "Name of the record, unlike those of all gauges and probes.")
-      .required();
+  keys.identifier("name", &Gauge::name, "Name of the record, unlike those of all other probes.").required();
   keys.add(
           {.name = "position",
            .type = "a list [x, y] of numbers, in 2D [x]",
@@ -199,7 +198,7 @@ KeyTable<Gauge> gauge_keys() {
 
 KeyTable<PointProbe> probe_keys() {
   KeyTable<PointProbe> keys;
-  keys.identifier("name", &PointProbe::name, "Name of the record, unlike those of all gauges and probes.")
+  keys.identifier("name", &PointProbe::name, "Name of the record, unlike those of all other probes.")
       .required();
   keys.vector("position", "m", &PointProbe::position, "The point.").required();
   keys.number("interval", "s", &PointProbe::interval, above(0.0), "Time between records.").fallback("0.01");
@@ -218,6 +217,10 @@ KeyTable<OutputSettings> output_keys() {
               "Interval of the leading edge and the ledger; 0: only at the times of other outputs.");
   keys.number("depth_cell_size", "m", &OutputSettings::depth_cell_size, above(0.0), "Cell of the depth grid.")
       .fallback("1.5 dx");
+  keys.choice<DepthRule>(
+      "depth_rule", &OutputSettings::depth_rule,
+      {{"highest_particle", DepthRule::HighestParticle}, {"surface", DepthRule::Surface}},
+      "Depth of a cell: height of the highest particle in it (thesis), or a smooth level without holes.");
   keys.choice<bool>(
       "frames", &OutputSettings::latest_frame_only, {{"every", false}, {"latest", true}},
       "Draw every frame, the run waiting if need be, or drop those that the renderer is too slow for.");

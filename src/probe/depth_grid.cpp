@@ -48,11 +48,16 @@ DepthGridBuilder::DepthGridBuilder(const Scene& scene)
   empty_.columns = static_cast<std::size_t>(columns);
   empty_.rows = static_cast<std::size_t>(rows);
   empty_.depth.assign(empty_.columns * empty_.rows, 0.0F);
+  if (scene.output.depth_rule == DepthRule::Surface) surface_.emplace(scene, empty_);
 }
 
 DepthGrid DepthGridBuilder::build(const Snapshot& snapshot) const {
   DepthGrid grid = empty_;
   grid.time = snapshot.time;
+  if (surface_) {
+    surface_->fill(snapshot, grid);
+    return grid;
+  }
   const Vec3d length = upper_ - lower_;
   for (const Vec3f& position : snapshot.position) {
     const Vec3d offset = position.cast<double>() - lower_;

@@ -3,14 +3,20 @@
 #include "core/depth_grid.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
+#include "probe/surface_depth.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace eisph {
 
-/// Water depth on square cells over the floor of a scene's domain. The depth of a cell is the height above
-/// the floor (domain_min.z) of the centre of the highest fluid particle in it, zero without one; a lone drop
-/// therefore counts as depth, and a full cell reads about half a particle spacing less than the free surface.
+/// Water depth on square cells over the floor of a scene's domain, by scene.output.depth_rule:
+///
+/// HighestParticle (thesis): the height above the floor (domain_min.z) of the centre of the highest fluid
+/// particle in the cell, zero without one; a lone drop therefore counts as depth, and a full cell reads about
+/// half a particle spacing less than the free surface.
+///
+/// Surface: the level of the water about the centre of the cell, see SurfaceDepth.
 ///
 /// The cells start at domain_min and cover the whole domain: where its length is no multiple of the cell
 /// size, the last column or row reaches beyond the wall and holds fewer particles. Particles outside the
@@ -29,6 +35,7 @@ class DepthGridBuilder {
   Vec3d lower_;
   Vec3d upper_;
   bool one_row_ = false;
+  std::optional<SurfaceDepth> surface_;  ///< with the rule Surface
 };
 
 }  // namespace eisph

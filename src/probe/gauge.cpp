@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace eisph {
 
@@ -9,6 +10,20 @@ namespace {
 
 // Single-precision coordinates must not decide whether a particle on the edge of the column belongs to it.
 constexpr double kEdgeTolerance = 1e-4;
+
+constexpr double kStep = 0.25;      ///< particle spacings between two looks at the water
+constexpr double kAccuracy = 1e-5;  ///< particle spacings
+constexpr double kFoot = 1e-3;      ///< particle spacings
+
+/// The height between a wet and a dry one at which the surface lies.
+template <class IsWet>
+double bisect(double wet, double dry, double accuracy, const IsWet& is_wet) {
+  while (dry - wet > accuracy) {
+    const double middle = 0.5 * (wet + dry);
+    (is_wet(middle) ? wet : dry) = middle;
+  }
+  return 0.5 * (wet + dry);
+}
 
 }  // namespace
 
@@ -27,6 +42,34 @@ double water_level(const Gauge& gauge, const Scene& scene, const Snapshot& snaps
     if (above_floor <= height + kEdgeTolerance * side) level = std::max(level, above_floor);
   }
   return level;
+}
+
+double surface_level(const Gauge& gauge, const FluidField& field) {
+  const Scene& scene = field.scene();
+  const double floor = scene.domain_min.z();
+  const double height = gauge.height > 0.0 ? gauge.height : scene.domain_max.z() - floor;
+  const double dx = scene.particle_spacing;
+  const auto point = [&](double above_floor) { return Vec3d(gauge.x, gauge.y, floor + above_floor); };
+  const auto is_wet = [&](double above_floor) { return field.is_wet(point(above_floor)); };
+
+  const auto steps = static_cast<long>(std::ceil(height / (kStep * dx)));
+  std::optional<double> wet;
+  bool solid_between = false;
+  for (long step = 0; step <= steps; ++step) {
+    const double above_floor = std::min(static_cast<double>(step) * kStep * dx, height);
+    // What counts is the water above: the foot of a solid that stands on the floor belongs to it.
+    if (field.is_in_solid(point(above_floor + kFoot * dx))) {
+      solid_between = true;
+    } else if (is_wet(above_floor)) {
+      wet = above_floor;
+      solid_between = false;
+    } else if (wet && !solid_between) {
+      return bisect(*wet, above_floor, kAccuracy * dx, is_wet);
+    } else {
+      break;
+    }
+  }
+  return wet.value_or(0.0);
 }
 
 }  // namespace eisph

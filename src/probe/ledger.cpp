@@ -29,18 +29,25 @@ LedgerEntry take_ledger(const Snapshot& snapshot, const Scene& scene) {
   Vec3d position_sum = Vec3d::Zero();
   Vec3d velocity_sum = Vec3d::Zero();
   double speed_squared_sum = 0.0;
+  double relative_volume = 0.0;
   for (std::size_t k = 0; k < snapshot.size(); ++k) {
     const Vec3d velocity = snapshot.velocity[k].cast<double>();
     position_sum += snapshot.position[k].cast<double>() - scene.domain_min;
     velocity_sum += velocity;
     speed_squared_sum += velocity.squaredNorm();
+    relative_volume += 1.0 / std::fmax(snapshot.number_density[k], 1.0);
   }
 
   LedgerEntry entry;
   entry.mass = snapshot.particle_mass * static_cast<double>(snapshot.size());
+  if (snapshot.reference_density > 0.0) {
+    entry.volume = snapshot.particle_mass / snapshot.reference_density * relative_volume;
+  }
   entry.kinetic_energy = 0.5 * snapshot.particle_mass * speed_squared_sum;
   entry.potential_energy = -snapshot.particle_mass * scene.gravity.dot(position_sum);
   entry.momentum = snapshot.particle_mass * velocity_sum;
+  entry.penetrations = static_cast<double>(snapshot.penetrations);
+  entry.lost_particles = static_cast<double>(snapshot.lost_particles);
   take_compression(snapshot, entry);
   return entry;
 }

@@ -1,8 +1,9 @@
 #include "probe/point_probe.hpp"
 
+#include "probe/kernel.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace eisph {
 
@@ -11,44 +12,40 @@ namespace {
 constexpr double kWetKernelSum = 0.5;
 constexpr double kWetDistance = 1.0;  // particle spacings
 
-/// Cubic spline without its normalisation, 0 <= q < 2.
-double cubic_spline(double q) {
-  if (q < 1.0) return 1.0 - 1.5 * q * q + 0.75 * q * q * q;
-  const double rest = 2.0 - q;
-  return 0.25 * rest * rest * rest;
-}
-
-double normalisation(double h, int dimension) {
-  return dimension == 2 ? 10.0 / (7.0 * std::numbers::pi * h * h) : 1.0 / (std::numbers::pi * h * h * h);
-}
-
 }  // namespace
 
-PointSample sample_at(const Vec3d& point, const Snapshot& snapshot) {
-  const double h = snapshot.smoothing_length;
-  const double support_squared = 4.0 * h * h;
-  double nearest_squared = support_squared;
-  double weight_sum = 0.0;
-  double pressure_sum = 0.0;
-  Vec3d velocity_sum = Vec3d::Zero();
-  for (std::size_t k = 0; k < snapshot.size(); ++k) {
-    Vec3d offset = point - snapshot.position[k].cast<double>();
-    if (snapshot.dimension == 2) offset.y() = 0.0;
-    const double distance_squared = offset.squaredNorm();
-    if (!(distance_squared < support_squared)) continue;
-    nearest_squared = std::min(nearest_squared, distance_squared);
-    const double weight = cubic_spline(std::sqrt(distance_squared) / h);
-    weight_sum += weight;
-    pressure_sum += weight * snapshot.pressure[k];
-    velocity_sum += weight * snapshot.velocity[k].cast<double>();
-  }
+ShepardSum::ShepardSum(const Vec3d& point, const Snapshot& snapshot)
+    : snapshot_(&snapshot),
+      point_(point),
+      support_squared_(4.0 * snapshot.smoothing_length * snapshot.smoothing_length),
+      nearest_squared_(support_squared_) {}
 
-  const double volume = snapshot.particle_mass / snapshot.reference_density;
-  const double kernel_sum = weight_sum * volume * normalisation(h, snapshot.dimension);
-  const bool wet =
-      kernel_sum >= kWetKernelSum || std::sqrt(nearest_squared) <= kWetDistance * snapshot.particle_spacing;
-  if (!wet || weight_sum <= 0.0) return {};
-  return {true, pressure_sum / weight_sum, velocity_sum / weight_sum};
+void ShepardSum::add(std::size_t k) {
+  Vec3d offset = point_ - snapshot_->position[k].cast<double>();
+  if (snapshot_->dimension == 2) offset.y() = 0.0;
+  const double distance_squared = offset.squaredNorm();
+  if (!(distance_squared < support_squared_)) return;
+  nearest_squared_ = std::min(nearest_squared_, distance_squared);
+  const double weight = radial_spline(std::sqrt(distance_squared) / snapshot_->smoothing_length);
+  weight_ += weight;
+  pressure_ += weight * snapshot_->pressure[k];
+  velocity_ += weight * snapshot_->velocity[k].cast<double>();
+}
+
+PointSample ShepardSum::sample() const {
+  const double volume = snapshot_->particle_mass / snapshot_->reference_density;
+  const double kernel_sum =
+      weight_ * volume * radial_normalisation(snapshot_->smoothing_length, snapshot_->dimension);
+  const bool wet = kernel_sum >= kWetKernelSum ||
+                   std::sqrt(nearest_squared_) <= kWetDistance * snapshot_->particle_spacing;
+  if (!wet || weight_ <= 0.0) return {};
+  return {true, pressure_ / weight_, velocity_ / weight_};
+}
+
+PointSample sample_at(const Vec3d& point, const Snapshot& snapshot) {
+  ShepardSum sum(point, snapshot);
+  for (std::size_t k = 0; k < snapshot.size(); ++k) sum.add(k);
+  return sum.sample();
 }
 
 }  // namespace eisph

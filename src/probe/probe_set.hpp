@@ -3,6 +3,7 @@
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "core/table.hpp"
+#include "probe/instrument.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -12,15 +13,20 @@ namespace eisph {
 
 /// All probes of a scene. Opens one table per probe in the sink when it is made:
 ///
-///   gauge_<name>   time, level
-///   probe_<name>   time, pressure, velocity; no values where the point is outside the water
-///   leading_edge   time, front and bulk_front along +x
-///   ledger         time, step, particles, mass, energies, momentum, compression
+///   gauge_<name>            time, level, surface
+///   probe_<name>            time, pressure, velocity; no values where the point is outside the water
+///   pressure_sensor_<name>  time, pressure, wetted_fraction
+///   front_<name>            time, front, bulk_front
+///   line_<name>             time, distance, position, pressure, velocity: a row per point, values as of a
+///   probe force_<name>            time, force, moment discharge_<name>        time, discharge, volume since
+///   the first record leading_edge            time, front and bulk_front along +x ledger time, step,
+///   particles, mass, volume, energies, momentum, compression, penetrations,
+///                           lost particles
 ///
-/// Gauges and point probes are recorded at the multiples of their interval, t = 0 included; without an
-/// interval they are recorded with every snapshot. The leading edge and the ledger are recorded with every
-/// snapshot that is handed in, whatever it was published for; a schedule of their own can add times. Without
-/// gauges, point probes and that schedule nothing is ever due, so no snapshot is taken for the probes' sake.
+/// All but the last two are recorded at the multiples of their interval, t = 0 included; without an interval
+/// they are recorded with every snapshot. The leading edge and the ledger are recorded with every snapshot
+/// that is handed in, whatever it was published for; a schedule of their own can add times. Without probes
+/// and that schedule nothing is ever due, so no snapshot is taken for the probes' sake.
 class ProbeSet {
  public:
   /// The sink must outlive the probes.
@@ -34,22 +40,11 @@ class ProbeSet {
   [[nodiscard]] double next_due(double time) const;
 
  private:
-  template <typename Probe>
-  struct Scheduled {
-    Probe probe;
-    Schedule schedule;
-    std::size_t table = 0;
-
-    [[nodiscard]] bool is_due(double time) const { return schedule.empty() || schedule.is_due(time); }
-  };
-
-  void open_tables();
   void record_ledger(const Snapshot& snapshot);
 
   Scene scene_;
   TableSink* sink_;
-  std::vector<Scheduled<Gauge>> gauges_;
-  std::vector<Scheduled<PointProbe>> points_;
+  std::vector<Instrument> instruments_;
   Schedule ledger_times_;
   std::size_t edge_table_ = 0;
   std::size_t ledger_table_ = 0;

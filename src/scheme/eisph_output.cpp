@@ -29,6 +29,8 @@ std::shared_ptr<const Snapshot> EisphSolver<Dim>::snapshot() const {
   snapshot->smoothing_length = h_;
   snapshot->particle_mass = scene_.density * volume_;
   snapshot->reference_density = scene_.density;
+  snapshot->penetrations = penetrations_;
+  snapshot->lost_particles = lost_particles();
 
   // Place of each particle in the order of ids, whatever has left the domain.
   std::vector<std::uint32_t> place(initial_fluid_, 0);
@@ -159,6 +161,22 @@ std::uint64_t EisphSolver<Dim>::state_bytes(std::map<std::string, double>* by_ar
   return static_cast<std::uint64_t>(sum);
 }
 
+/// A particle is lost if it has disappeared or stands where no water can be.
+template <int Dim>
+std::uint64_t EisphSolver<Dim>::lost_particles() const {
+  std::uint64_t inside = 0;
+  for (std::uint32_t i = 0; i < fluid_; ++i) {
+    bool in = true;
+    for (int d = 0; d < Dim; ++d) {
+      const int axis = scene_axis<Dim>(d);
+      in = in && (scene_.faces[2 * axis].kind == FaceKind::Open || position_[d][i] >= 0.0);
+      in = in && (scene_.faces[2 * axis + 1].kind == FaceKind::Open || position_[d][i] <= extent_[d]);
+    }
+    inside += in ? 1 : 0;
+  }
+  return initial_fluid_ - outflow_ - inside;
+}
+
 template <int Dim>
 RunSummary EisphSolver<Dim>::summary() const {
   RunSummary summary;
@@ -184,18 +202,7 @@ RunSummary EisphSolver<Dim>::summary() const {
       static_cast<double>(state_bytes(&summary.state_bytes_by_array)) / static_cast<double>(initial_fluid_);
   summary.penetrations = penetrations_;
   summary.outflow_particles = outflow_;
-  // A particle is lost if it has disappeared or stands where no water can be.
-  std::uint64_t inside = 0;
-  for (std::uint32_t i = 0; i < fluid_; ++i) {
-    bool in = true;
-    for (int d = 0; d < Dim; ++d) {
-      const int axis = scene_axis<Dim>(d);
-      in = in && (scene_.faces[2 * axis].kind == FaceKind::Open || position_[d][i] >= 0.0);
-      in = in && (scene_.faces[2 * axis + 1].kind == FaceKind::Open || position_[d][i] <= extent_[d]);
-    }
-    inside += in ? 1 : 0;
-  }
-  summary.lost_particles = initial_fluid_ - outflow_ - inside;
+  summary.lost_particles = lost_particles();
   summary.compression_max = compression_max_;
   summary.compression_p95 = compression_p95_;
   summary.energy_initial = energy_initial_;

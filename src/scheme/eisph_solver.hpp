@@ -97,6 +97,7 @@ class EisphSolver final : public Simulation {
                BlockSums& sums) const;
   void add_up(const std::vector<BlockSums>& blocks);
   void record_compression();
+  [[nodiscard]] std::uint64_t lost_particles() const;
   [[noreturn]] void throw_blow_up(const BlockSums& block) const;
   void set_object_sources();
   double repulsion_scale() const;

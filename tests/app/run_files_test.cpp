@@ -78,12 +78,29 @@ TEST_F(RunFolder, ThatIsAFileIsRefused) {
 }
 
 TEST_F(RunFolder, LosesTheFilesOfAnEarlierRun) {
-  for (const char* name :
-       {"scene.toml", "run.json", "run.log", "particles.pvd", "objects.pvd", "depth.pvd", "gauge_a.csv",
-        "probe_corner.csv", "ledger.csv", "leading_edge.csv", "frames/view_0000.png",
-        "frames/view_0001.png.part", "particles/particles_0000.vtp", "particles/objects_0000.vtp",
-        "particles/particles_12345.vtp.tmp", "depth/depth_0000.vti", "rendered/view_0000.png",
-        "rendered/view_t0.25.png"}) {
+  for (const char* name : {"scene.toml",
+                           "run.json",
+                           "run.log",
+                           "particles.pvd",
+                           "objects.pvd",
+                           "depth.pvd",
+                           "gauge_a.csv",
+                           "probe_corner.csv",
+                           "ledger.csv",
+                           "leading_edge.csv",
+                           "pressure_sensor_a.csv",
+                           "front_a.csv",
+                           "line_a.csv",
+                           "force_a.csv",
+                           "discharge_a.csv",
+                           "frames/view_0000.png",
+                           "frames/view_0001.png.part",
+                           "particles/particles_0000.vtp",
+                           "particles/objects_0000.vtp",
+                           "particles/particles_12345.vtp.tmp",
+                           "depth/depth_0000.vti",
+                           "rendered/view_0000.png",
+                           "rendered/view_t0.25.png"}) {
     put(name);
   }
   prepare_run_folder(files_);

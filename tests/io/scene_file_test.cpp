@@ -95,6 +95,100 @@ TEST(SceneFile, DefaultsFollowOtherKeys) {
   EXPECT_FALSE(scene.scheme.volume_correction.has_value());
 }
 
+/// Every kind of probe with every key.
+const std::string kProbes = R"([[pressure_sensor]]
+name = "p1"
+position = [0.0, 0.5, 0.16]
+shape = "square"
+size = 0.09
+interval = 0.001
+[[pressure_sensor]]
+name = "on_pillar"
+position = [2.0, 0.45, 0.2]
+normal = [-3.0, 0.0, 0.0]
+[[front]]
+name = "back"
+direction = "-y"
+x_range = [1.0, 2.0]
+z_range = [0.0, 0.5]
+[[front]]
+name = "strip"
+direction = "+x"
+y_range = [0.045, 0.055]
+[[line]]
+name = "profile"
+start = [0.5, 0.5, 0.0]
+end = [0.5, 0.5, 1.0]
+points = 11
+[[force]]
+name = "on_gate"
+obstacle = "gate"
+moment_point = [1.0, 0.5, 0.0]
+[[force]]
+name = "on_dam"
+obstacle = "dam"
+[[discharge]]
+name = "breach"
+axis = "x"
+position = 1.1
+y_range = [0.3, 1.0]
+z_range = [0.0, 1.0]
+)";
+
+TEST(SceneFile, ReadsEveryKindOfProbe) {
+  SceneLoader loader;
+  const Scene scene = loader.load(kSceneText + kProbes, {"output.depth_rule=surface"});
+  ASSERT_EQ(scene.pressure_sensors.size(), 2U);
+  EXPECT_EQ(scene.pressure_sensors[0].shape, SensorShape::Square);
+  EXPECT_EQ(scene.pressure_sensors[0].normal, Vec3d(1.0, 0.0, 0.0)) << "of the nearest face";
+  EXPECT_EQ(scene.pressure_sensors[0].interval, 0.001);
+  EXPECT_EQ(scene.pressure_sensors[1].normal, Vec3d(-3.0, 0.0, 0.0));
+  EXPECT_EQ(scene.pressure_sensors[1].size, 0.0);
+  EXPECT_EQ(scene.pressure_sensors[1].interval, 0.01);
+  EXPECT_EQ(scene.fronts.at(0).axis, 1);
+  EXPECT_FALSE(scene.fronts.at(0).upwards);
+  EXPECT_TRUE(scene.fronts.at(0).band.contains(Vec3d(1.5, 9.0, 0.25)));
+  EXPECT_FALSE(scene.fronts.at(0).band.contains(Vec3d(2.5, 0.5, 0.25)));
+  EXPECT_EQ(scene.lines.at(0).points, 11);
+  EXPECT_EQ(scene.forces.at(0).moment_point, Vec3d(1.0, 0.5, 0.0));
+  EXPECT_NEAR((*scene.forces.at(1).moment_point - Vec3d(1.1, 0.15, 0.0)).norm(), 0.0, 1e-12) << "of the base";
+  EXPECT_EQ(scene.discharges.at(0).position, 1.1);
+  EXPECT_EQ(scene.output.depth_rule, DepthRule::Surface);
+  EXPECT_THAT(probe_intervals(scene), testing::SizeIs(10));
+  EXPECT_EQ(round_trip(scene), scene);
+  EXPECT_EQ(resolved_scene_toml(round_trip(scene)), resolved_scene_toml(scene));
+}
+
+TEST(SceneFile, ReadsProbesInTwoDimensions) {
+  SceneLoader loader;
+  const Scene scene = loader.load(kSceneText2d + R"([[obstacle]]
+name = "block"
+min = [2.0, 0.0]
+max = [2.5, 0.5]
+[[pressure_sensor]]
+name = "p"
+position = [4.0, 0.5]
+[[line]]
+name = "l"
+start = [0.5, 0.0]
+end = [0.5, 1.0]
+[[force]]
+name = "f"
+obstacle = "block"
+[[front]]
+name = "x"
+direction = "-x"
+[[discharge]]
+name = "q"
+axis = "z"
+position = 0.25
+x_range = [0.0, 1.0]
+)");
+  EXPECT_EQ(scene.pressure_sensors.at(0).normal, Vec3d(-1.0, 0.0, 0.0));
+  EXPECT_EQ(scene.forces.at(0).moment_point, Vec3d(2.25, 0.0, 0.0));
+  EXPECT_EQ(round_trip(scene), scene);
+}
+
 TEST(SceneFile, NameDefaultsToThatOfTheFile) {
   SceneLoader loader;
   EXPECT_EQ(loader.load(edited(kSceneText, "name = \"test\"", "")).name, "case");
@@ -209,7 +303,7 @@ repulsion_cap = 3.3
 TEST(SceneFile, KeyTableNamesEveryKeyOfTheResolvedScene) {
   SceneLoader loader;
   const std::string schema = scene_schema_text();
-  std::istringstream lines(resolved_scene_toml(loader.load(kSceneText)));
+  std::istringstream lines(resolved_scene_toml(loader.load(kSceneText + kProbes)));
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) continue;
     const std::string wanted =

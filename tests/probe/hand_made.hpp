@@ -60,4 +60,50 @@ inline std::vector<Vec3f> lattice(const Scene& scene, const Vec3d& size) {
   return positions;
 }
 
+/// Gives the particles the pressure of water at rest with its surface at z = `level` (m).
+inline void make_hydrostatic(Snapshot& snapshot, const Scene& scene, double level) {
+  for (std::size_t k = 0; k < snapshot.size(); ++k) {
+    const double depth = level - static_cast<double>(snapshot.position[k].z());
+    snapshot.pressure[k] = static_cast<float>(scene.density * scene.gravity.norm() * depth);
+  }
+}
+
+/// Water at rest that is `size` (m) large from the lower corner of the domain on, with its pressure, around
+/// the solids of the scene.
+inline Snapshot still_water(const Scene& scene, const Vec3d& size) {
+  std::vector<Vec3f> positions = lattice(scene, size);
+  std::erase_if(positions, [&](const Vec3f& position) {
+    const auto contains = [&](const Shape& shape) {
+      return shape.signed_distance(position.cast<double>(), scene.dimension) < -1e-6;
+    };
+    bool inside = false;
+    for (const Obstacle& obstacle : scene.obstacles) inside = inside || contains(obstacle.shape);
+    for (const Gate& gate : scene.gates) inside = inside || contains(gate.shape);
+    return inside;
+  });
+  Snapshot snapshot = hand_made_snapshot(scene, std::move(positions));
+  make_hydrostatic(snapshot, scene, scene.domain_min.z() + size.z());
+  return snapshot;
+}
+
+inline Shape box(const Vec3d& min, const Vec3d& max, double rotation_z = 0.0) {
+  Shape shape;
+  shape.min = min;
+  shape.max = max;
+  shape.rotation_z = rotation_z;
+  return shape;
+}
+
+/// Displaces every coordinate of the particles by up to `amplitude` (m), always in the same way.
+inline void shake(Snapshot& snapshot, double amplitude) {
+  std::uint32_t state = 12345;
+  for (Vec3f& position : snapshot.position) {
+    for (int axis = 0; axis < 3; ++axis) {
+      state = state * 1664525U + 1013904223U;
+      if (snapshot.dimension == 2 && axis == 1) continue;
+      position[axis] += static_cast<float>(amplitude * (static_cast<double>(state >> 8U) / (1 << 23) - 1.0));
+    }
+  }
+}
+
 }  // namespace eisph

@@ -57,10 +57,27 @@ TEST(Ledger, LeavesNotANumberOutOfTheRanking) {
   EXPECT_EQ(take_ledger(snapshot, scene).compression_max, 0.25);
 }
 
+TEST(Ledger, TakesCompressedParticlesAsSmallerAndThoseOnTheSurfaceAsTheyAre) {
+  const Scene scene = hand_made_scene(3);
+  Snapshot snapshot = hand_made_snapshot(scene, std::vector<Vec3f>(3, Vec3f(0.5F, 0.2F, 0.2F)));
+  snapshot.number_density = {1.25F, 0.5F, 1.0F};
+  EXPECT_NEAR(take_ledger(snapshot, scene).volume, 2.8 * 8e-6, 1e-12);
+}
+
+TEST(Ledger, PassesOnPenetrationsAndLosses) {
+  const Scene scene = hand_made_scene(3);
+  Snapshot snapshot = hand_made_snapshot(scene, {});
+  snapshot.penetrations = 7;
+  snapshot.lost_particles = 2;
+  EXPECT_EQ(take_ledger(snapshot, scene).penetrations, 7.0);
+  EXPECT_EQ(take_ledger(snapshot, scene).lost_particles, 2.0);
+}
+
 TEST(Ledger, IsZeroWithoutFluid) {
   const Scene scene = hand_made_scene(3);
   const LedgerEntry entry = take_ledger(hand_made_snapshot(scene, {}), scene);
   EXPECT_EQ(entry.mass, 0.0);
+  EXPECT_EQ(entry.volume, 0.0);
   EXPECT_EQ(entry.potential_energy, 0.0);
   EXPECT_EQ(entry.compression_max, 0.0);
   EXPECT_EQ(entry.compression_p95, 0.0);

@@ -72,14 +72,15 @@ Scene scene_with_probes(int dimension) {
 TEST(ProbeSet, NamesTablesAndColumnsWithUnits) {
   MemoryTables tables;
   const ProbeSet probes(scene_with_probes(3), tables);
-  EXPECT_THAT(tables.columns("gauge_wall"), ElementsAre("time [s]", "level [m]"));
+  EXPECT_THAT(tables.columns("gauge_wall"), ElementsAre("time [s]", "level [m]", "surface [m]"));
   EXPECT_THAT(tables.columns("probe_bed"), ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]",
                                                        "velocity_y [m/s]", "velocity_z [m/s]"));
   EXPECT_THAT(tables.columns("leading_edge"), ElementsAre("time [s]", "front [m]", "bulk_front [m]"));
   EXPECT_THAT(tables.columns("ledger"),
-              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "kinetic_energy [J]",
-                          "potential_energy [J]", "momentum_x [kg m/s]", "momentum_y [kg m/s]",
-                          "momentum_z [kg m/s]", "compression_max [-]", "compression_p95 [-]"));
+              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "volume [m^3]",
+                          "kinetic_energy [J]", "potential_energy [J]", "momentum_x [kg m/s]",
+                          "momentum_y [kg m/s]", "momentum_z [kg m/s]", "compression_max [-]",
+                          "compression_p95 [-]", "penetrations [-]", "lost_particles [-]"));
 }
 
 TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
@@ -87,10 +88,11 @@ TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
   const ProbeSet probes(scene_with_probes(2), tables);
   EXPECT_THAT(tables.columns("probe_bed"),
               ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]", "velocity_z [m/s]"));
-  EXPECT_THAT(tables.columns("ledger"),
-              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]",
-                          "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]",
-                          "momentum_z [kg/s]", "compression_max [-]", "compression_p95 [-]"));
+  EXPECT_THAT(
+      tables.columns("ledger"),
+      ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]", "volume [m^2]",
+                  "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]", "momentum_z [kg/s]",
+                  "compression_max [-]", "compression_p95 [-]", "penetrations [-]", "lost_particles [-]"));
 }
 
 TEST(ProbeSet, RecordsEachProbeAtItsOwnTimesAndTheLedgerAlways) {
@@ -100,8 +102,9 @@ TEST(ProbeSet, RecordsEachProbeAtItsOwnTimesAndTheLedgerAlways) {
   const std::vector<Vec3f> water = lattice(scene, Vec3d(0.2, 0.2, 0.2));
   for (const double time : {0.0, 0.1, 0.13, 0.2, 0.25}) probes.record(hand_made_snapshot(scene, water, time));
   EXPECT_THAT(tables.rows("gauge_wall"),
-              ElementsAre(ElementsAre(0.0, DoubleNear(0.19, 1e-7)), ElementsAre(0.1, DoubleNear(0.19, 1e-7)),
-                          ElementsAre(0.2, DoubleNear(0.19, 1e-7))));
+              ElementsAre(ElementsAre(0.0, DoubleNear(0.19, 1e-7), DoubleNear(0.2, 2e-6)),
+                          ElementsAre(0.1, DoubleNear(0.19, 1e-7), DoubleNear(0.2, 2e-6)),
+                          ElementsAre(0.2, DoubleNear(0.19, 1e-7), DoubleNear(0.2, 2e-6))));
   EXPECT_THAT(tables.rows("probe_bed"), SizeIs(2));
   EXPECT_THAT(tables.rows("leading_edge"), SizeIs(5));
   EXPECT_THAT(tables.rows("ledger"), SizeIs(5));
@@ -179,9 +182,91 @@ TEST(ProbeSet, WritesTheLedgerOfTheSnapshot) {
   snapshot.step = 40;
   snapshot.velocity[0] = Vec3f(3.0F, 0.0F, -1.0F);
   snapshot.number_density[0] = 1.25F;
+  snapshot.penetrations = 3;
+  snapshot.lost_particles = 1;
   probes.record(snapshot);
-  EXPECT_THAT(tables.rows("ledger"), ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, 10.0, DoubleNear(0.0, 1e-6),
-                                                             6.0, -2.0, 0.25, 0.25)));
+  EXPECT_THAT(tables.rows("ledger"),
+              ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, DoubleNear(0.0016, 1e-12), 10.0,
+                                      DoubleNear(0.0, 1e-6), 6.0, -2.0, 0.25, 0.25, 3.0, 1.0)));
+}
+
+/// One probe of each further kind, all called "a", every 0.1 s, on a block in the middle of the tank.
+Scene scene_with_further_probes(int dimension) {
+  Scene scene = hand_made_scene(dimension);
+  scene.obstacles.push_back({"block", box(Vec3d(0.5, 0.0, 0.1), Vec3d(0.6, 0.5, 0.4))});
+  const auto start = [](auto& probes) -> auto& {
+    auto& probe = probes.emplace_back();
+    probe.name = "a";
+    probe.interval = 0.1;
+    return probe;
+  };
+  start(scene.pressure_sensors).position = Vec3d(0.0, 0.1, 0.15);
+  start(scene.fronts).upwards = false;
+  LineProbe& line = start(scene.lines);
+  line.start = Vec3d(0.2, 0.1, 0.15);
+  line.end = Vec3d(0.2, 0.1, 0.55);
+  line.points = 3;
+  start(scene.forces).obstacle = "block";
+  start(scene.discharges).position = 0.25;
+  return scene;
+}
+
+TEST(ProbeSet, NamesTablesAndColumnsOfTheFurtherProbes) {
+  MemoryTables tables;
+  const ProbeSet probes(scene_with_further_probes(3), tables);
+  EXPECT_THAT(tables.columns("pressure_sensor_a"),
+              ElementsAre("time [s]", "pressure [Pa]", "wetted_fraction [-]"));
+  EXPECT_THAT(tables.columns("front_a"), ElementsAre("time [s]", "front [m]", "bulk_front [m]"));
+  EXPECT_THAT(tables.columns("line_a"),
+              ElementsAre("time [s]", "distance [m]", "x [m]", "y [m]", "z [m]", "pressure [Pa]",
+                          "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]"));
+  EXPECT_THAT(tables.columns("force_a"), ElementsAre("time [s]", "force_x [N]", "force_y [N]", "force_z [N]",
+                                                     "moment_x [N m]", "moment_y [N m]", "moment_z [N m]"));
+  EXPECT_THAT(tables.columns("discharge_a"), ElementsAre("time [s]", "discharge [m^3/s]", "volume [m^3]"));
+  MemoryTables plane;
+  const ProbeSet in_plane(scene_with_further_probes(2), plane);
+  EXPECT_THAT(plane.columns("line_a"), ElementsAre("time [s]", "distance [m]", "x [m]", "z [m]",
+                                                   "pressure [Pa]", "velocity_x [m/s]", "velocity_z [m/s]"));
+  EXPECT_THAT(plane.columns("force_a"),
+              ElementsAre("time [s]", "force_x [N/m]", "force_z [N/m]", "moment_y [N]"));
+  EXPECT_THAT(plane.columns("discharge_a"), ElementsAre("time [s]", "discharge [m^2/s]", "volume [m^2]"));
+}
+
+TEST(ProbeSet, WritesTheFurtherProbesWhenTheyAreDue) {
+  const Scene scene = scene_with_further_probes(3);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  EXPECT_DOUBLE_EQ(probes.next_due(0.0), 0.1);
+  Snapshot water = still_water(scene, Vec3d(0.5, 0.5, 0.2));
+  for (const double time : {0.0, 0.05, 0.1, 0.2}) {
+    water.time = time;
+    water.velocity.assign(water.size(), Vec3f(static_cast<float>(10.0 * time), 0.0F, 0.0F));
+    probes.record(water);
+  }
+  EXPECT_THAT(tables.rows("pressure_sensor_a"), SizeIs(3));
+  EXPECT_THAT(tables.rows("pressure_sensor_a").back(), ElementsAre(0.2, DoubleNear(1471.5, 0.01), 1.0));
+  EXPECT_THAT(tables.rows("front_a").back(),
+              ElementsAre(0.2, DoubleNear(0.01, 1e-7), DoubleNear(0.01, 1e-7)));
+  ASSERT_THAT(tables.rows("line_a"), SizeIs(9));
+  EXPECT_THAT(tables.rows("line_a")[7],
+              ElementsAre(0.2, DoubleNear(0.2, 1e-12), 0.2, 0.1, DoubleNear(0.35, 1e-12), IsNan(), IsNan(),
+                          IsNan(), IsNan()));
+  EXPECT_NEAR(tables.rows("line_a")[6][6], 2.0, 1e-6);
+  EXPECT_NEAR(tables.rows("force_a").back()[1], 98.1, 0.1);
+  // 0, 0.1 and 0.2 m^3/s at intervals of 0.1 s.
+  ASSERT_THAT(tables.rows("discharge_a"), SizeIs(3));
+  EXPECT_THAT(tables.rows("discharge_a").back(),
+              ElementsAre(0.2, DoubleNear(0.2, 1e-6), DoubleNear(0.02, 1e-7)));
+}
+
+TEST(Observation, SortsTheWaterOnlyWhenAskedForTheField) {
+  const Scene scene = hand_made_scene(2);
+  const Snapshot water = hand_made_snapshot(scene, {});
+  Observation observation(scene, water);
+  EXPECT_FALSE(observation.has_field());
+  const FluidField* field = &observation.field();
+  EXPECT_TRUE(observation.has_field());
+  EXPECT_EQ(&observation.field(), field);
 }
 
 }  // namespace
