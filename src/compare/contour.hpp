@@ -13,15 +13,15 @@ struct GridValues {
   double spacing = 1.0;
   std::size_t columns = 0;
   std::size_t rows = 0;
-  std::vector<double> values;
+  std::vector<double> values = {};
 
   [[nodiscard]] double at(std::size_t i, std::size_t j) const { return values[j * columns + i]; }
 };
 
 /// Corners of a line in the plane; closed lines end where they begin.
 struct Polyline {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
 };
 
 /// Lines on which the values, linear along the edges of the grid, equal `level` (marching squares). Squares

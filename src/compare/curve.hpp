@@ -8,8 +8,8 @@ namespace eisph {
 /// Values y over ascending x, joined by straight lines. A y that is not a number is a gap: functions skip it,
 /// and there is no value between it and its neighbours.
 struct Curve {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] bool empty() const { return x.empty(); }

@@ -12,12 +12,12 @@ namespace eisph {
 
 /// A field as a map of colours with labelled contour lines, axes to equal scale: for example isobars.
 struct FieldPlot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
-  std::string value_label;  ///< beside the colour bar, with its unit
-  GridValues grid;
-  std::vector<double> levels;                       ///< of contour lines
+  std::string title = {};
+  std::string x_label = {};
+  std::string y_label = {};
+  std::string value_label = {};  ///< beside the colour bar, with its unit
+  GridValues grid = {};
+  std::vector<double> levels = {};                  ///< of contour lines
   std::vector<Polyline> outlines = {};              ///< walls and obstacles
   std::optional<PlotRange> x_range = std::nullopt;  ///< default: the grid
   std::optional<PlotRange> y_range = std::nullopt;
@@ -28,13 +28,13 @@ void write_field_plot(const std::filesystem::path& path, const FieldPlot& plot, 
 
 /// Points coloured by a value, axes to equal scale: for example particles by their pressure.
 struct ScatterPlot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
-  std::string value_label;
-  std::vector<double> x;
-  std::vector<double> y;
-  std::vector<double> value;
+  std::string title = {};
+  std::string x_label = {};
+  std::string y_label = {};
+  std::string value_label = {};
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+  std::vector<double> value = {};
   double point_size = 0.0;  ///< diameter in units of x; 0: chosen by gnuplot
   std::vector<Polyline> outlines = {};
   std::optional<PlotRange> x_range = std::nullopt;

@@ -14,8 +14,8 @@ enum class LegendPosition { Automatic, TopLeft, TopRight, BottomLeft, BottomRigh
 
 /// One curve of a plot. Lines are for models and theory, points for measurements, bands for percentiles.
 struct PlotSeries {
-  std::string label;  ///< in the legend; no entry if empty
-  Curve curve;        ///< of a band: its lower edge
+  std::string label = {};  ///< in the legend; no entry if empty
+  Curve curve = {};        ///< of a band: its lower edge
   SeriesStyle style = SeriesStyle::Line;
   Curve upper = {};  ///< of a band: its upper edge, at the same x
   int colour = -1;   ///< number of a colour (0 is black); -1: the next one that the plot has not used
@@ -28,10 +28,10 @@ struct PlotRange {
 
 /// Curves over common axes. Text is plain (no markup), units belong into the labels: "time t [s]".
 struct Plot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
-  std::vector<PlotSeries> series;
+  std::string title = {};
+  std::string x_label = {};
+  std::string y_label = {};
+  std::vector<PlotSeries> series = {};
   std::optional<PlotRange> x_range = std::nullopt;  ///< default: what the series need
   std::optional<PlotRange> y_range = std::nullopt;
   bool x_log = false;  ///< only positive values are then drawn

@@ -11,7 +11,7 @@ namespace eisph {
 
 /// One figure that a case is judged by, or that is reported for information: then it has no limit.
 struct Metric {
-  std::string name;  ///< unique within its case
+  std::string name = {};  ///< unique within its case
   double value = 0.0;
   std::string unit = "-";
   std::optional<double> lower = std::nullopt;  ///< the value must not be less
@@ -24,14 +24,14 @@ struct Metric {
 };
 
 struct ReportFigure {
-  std::filesystem::path path;  ///< of a PNG file
-  std::string caption;
+  std::filesystem::path path = {};  ///< of a PNG file
+  std::string caption = {};
 };
 
 struct ReportTable {
-  std::string caption;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  std::string caption = {};
+  std::vector<std::string> columns = {};
+  std::vector<std::vector<std::string>> rows = {};
 };
 
 /// Figures of the run, or of all runs, that a case made.
@@ -53,17 +53,17 @@ struct RunFigures {
 [[nodiscard]] std::vector<Metric> run_metrics(const RunFigures& run);
 
 struct CaseReport {
-  std::string name;  ///< as on the command line; unique within a report
-  std::string title;
-  std::string source;       ///< whose case, with citation
-  std::string description;  ///< what was simulated
-  std::string comparison;   ///< what was compared with what, by which norm
-  std::vector<Metric> metrics;
-  std::vector<ReportFigure> figures;
-  std::vector<ReportTable> tables;
-  RunFigures run;
-  std::vector<std::string> notes;
-  std::string failure;  ///< why the case could not be carried out; empty if it could
+  std::string name = {};  ///< as on the command line; unique within a report
+  std::string title = {};
+  std::string source = {};       ///< whose case, with citation
+  std::string description = {};  ///< what was simulated
+  std::string comparison = {};   ///< what was compared with what, by which norm
+  std::vector<Metric> metrics = {};
+  std::vector<ReportFigure> figures = {};
+  std::vector<ReportTable> tables = {};
+  RunFigures run = {};
+  std::vector<std::string> notes = {};
+  std::string failure = {};  ///< why the case could not be carried out; empty if it could
 
   [[nodiscard]] std::size_t limits() const;       ///< metrics that have one
   [[nodiscard]] std::size_t limits_held() const;  ///< those that hold
@@ -72,27 +72,27 @@ struct CaseReport {
 };
 
 struct ReportHeader {
-  std::string version;  ///< of the program, with its commit
-  std::string host;     ///< processor, cores, system
-  std::string date;     ///< ISO 8601
-  std::string mode;     ///< quick or full
+  std::string version = {};  ///< of the program, with its commit
+  std::string host = {};     ///< processor, cores, system
+  std::string date = {};     ///< ISO 8601
+  std::string mode = {};     ///< quick or full
   int threads = 1;
 };
 
 struct Report {
-  ReportHeader header;
-  std::vector<CaseReport> cases;
+  ReportHeader header = {};
+  std::vector<CaseReport> cases = {};
 
   [[nodiscard]] bool holds() const;
 };
 
 /// A metric in two reports. `before` or `now` is empty where that report lacks it.
 struct MetricChange {
-  std::string case_name;
-  std::string metric;
-  std::string unit;
-  std::optional<double> before;
-  std::optional<double> now;
+  std::string case_name = {};
+  std::string metric = {};
+  std::string unit = {};
+  std::optional<double> before = std::nullopt;
+  std::optional<double> now = std::nullopt;
 
   /// now / before; not-a-number if either is missing or before is zero.
   [[nodiscard]] double ratio() const;
