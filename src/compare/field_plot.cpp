@@ -1,6 +1,7 @@
 #include "compare/field_plot.hpp"
 
 #include "compare/gnuplot.hpp"
+#include "compare/plot_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,7 @@ constexpr const char* kPalette =
     "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', "
     "6 '#5ec962', 7 '#addc30', 8 '#fde725')\n";
 
-// Room around the axes, pixels: marks and label; colour bar; title; marks and label.
-constexpr double kLeft = 100.0;
-constexpr double kRight = 160.0;
-constexpr double kAbove = 44.0;
-constexpr double kBelow = 68.0;
+constexpr AxesRoom kRoom{.left = 100, .right = 160, .above = 44, .below = 68};
 
 struct FieldAxes {
   PlotRange x;
@@ -44,18 +41,16 @@ PlotRange range_of(const std::vector<double>& values, const std::string& title) 
   return range;
 }
 
-/// The height that was asked for, or with 0 the one at which axes to equal scale fill the picture.
-int fitting_height(const FieldAxes& axes, PictureSize size) {
-  if (size.height > 0) return size.height;
-  const double ratio = (axes.y.most - axes.y.least) / (axes.x.most - axes.x.least);
-  const double height = kAbove + kBelow + ratio * (size.width - kLeft - kRight);
-  return static_cast<int>(std::lround(std::clamp(height, 230.0, 2000.0)));
+/// The size that was asked for, or without a height the one that axes to equal scale fill.
+PictureSize picture_size(const FieldAxes& axes, PictureSize size) {
+  return size.height > 0 ? size : fitting_size(axes.x, axes.y, size.width, kRoom);
 }
 
-std::string frame_script(const FieldAxes& axes, int width, int height, const std::string& title,
+std::string frame_script(const FieldAxes& axes, PictureSize asked, const std::string& title,
                          const std::string& x_label, const std::string& y_label,
                          const std::string& value_label) {
-  std::string script = gnuplot_preamble(width, height) + kPalette + "unset key\nunset grid\n";
+  const PictureSize size = picture_size(axes, asked);
+  std::string script = gnuplot_preamble(size.width, size.height) + kPalette + "unset key\nunset grid\n";
   script += fmt::format(
       "set title {}\nset xlabel {}\nset ylabel {} offset 0.3,0\nset cblabel {} offset 0.6,0\n",
       gnuplot_quoted(title), gnuplot_quoted(x_label), gnuplot_quoted(y_label), gnuplot_quoted(value_label));
@@ -66,11 +61,19 @@ std::string frame_script(const FieldAxes& axes, int width, int height, const std
   range("x", axes.x);
   range("y", axes.y);
   range("cb", axes.value);
-  script += "set size ratio -1\nset tics out nomirror\n";
+  const double width = size.width;
+  const double height = size.height;
+  const double axes_width = width - kRoom.left - kRoom.right;
+  const double axes_height = height - kRoom.above - kRoom.below;
+  const double scale =
+      std::min(axes_width / (axes.x.most - axes.x.least), axes_height / (axes.y.most - axes.y.least));
+  script += fmt::format("set size ratio -1\nset tics out nomirror\nset xtics {}\nset ytics {}\n",
+                        gnuplot_number(mark_step(axes.x, scale * (axes.x.most - axes.x.least))),
+                        gnuplot_number(mark_step(axes.y, 1.4 * scale * (axes.y.most - axes.y.least))));
   script += fmt::format(
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
       "set tmargin at screen {:.5f}\n",
-      kLeft / width, 1.0 - kRight / width, kBelow / height, 1.0 - kAbove / height);
+      kRoom.left / width, 1.0 - kRoom.right / width, kRoom.below / height, 1.0 - kRoom.above / height);
   return script;
 }
 
@@ -171,8 +174,7 @@ void write_field_plot(const std::filesystem::path& path, const FieldPlot& plot, 
   field += "END_OF_DATA\n";
   const ContourScript contours = contour_script(plot);
   const std::string outlines = line_block("outlines", plot.outlines);
-  run_gnuplot(path, frame_script(axes, size.width, fitting_height(axes, size), plot.title, plot.x_label,
-                                 plot.y_label, plot.value_label) +
+  run_gnuplot(path, frame_script(axes, size, plot.title, plot.x_label, plot.y_label, plot.value_label) +
                         field + contours.before + outlines + "plot $field using 1:2:3 with image" +
                         contours.drawing + outline_drawing(outlines) + "\n");
 }
@@ -195,8 +197,7 @@ void write_scatter_plot(const std::filesystem::path& path, const ScatterPlot& pl
       plot.point_size > 0.0
           ? "plot $points using 1:2:3:4 with circles linecolor palette fillstyle solid noborder"
           : "plot $points using 1:2:4 with points pointtype 7 pointsize 0.5 palette";
-  run_gnuplot(path, frame_script(axes, size.width, fitting_height(axes, size), plot.title, plot.x_label,
-                                 plot.y_label, plot.value_label) +
+  run_gnuplot(path, frame_script(axes, size, plot.title, plot.x_label, plot.y_label, plot.value_label) +
                         points + outlines + drawing + outline_drawing(outlines) + "\n");
 }
 

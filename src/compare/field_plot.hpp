@@ -23,7 +23,8 @@ struct FieldPlot {
   std::optional<PlotRange> y_range = std::nullopt;
   std::optional<PlotRange> value_range = std::nullopt;  ///< of the colours; default: least to largest value
 };
-/// Draws a PNG; errors as write_plot(). With a height of 0 the picture is as high as equal scales make it.
+/// Draws a PNG; errors as write_plot(). With a height of 0 the picture is as high as equal scales make it,
+/// and narrower than asked for where that would be very high.
 void write_field_plot(const std::filesystem::path& path, const FieldPlot& plot, PictureSize size = {900, 0});
 
 /// Points coloured by a value, axes to equal scale: for example particles by their pressure.

@@ -2,6 +2,7 @@
 
 #include "compare/gnuplot.hpp"
 #include "compare/plot_axes.hpp"
+#include "compare/plot_size.hpp"
 #include "compare/plot_style.hpp"
 
 #include <algorithm>
@@ -109,6 +110,8 @@ bool share_label(const std::vector<Plot>& plots, std::string Plot::*label) {
 
 void write_plot(const std::filesystem::path& path, const Plot& plot, PictureSize size) {
   const PlotAxes axes = plot_axes(plot);
+  if (size.height == 0)
+    size = fitting_size(axes.x, axes.y, size.width, {.left = 94, .right = 32, .above = 60, .below = 64});
   SeriesLooks looks;
   run_gnuplot(path, gnuplot_preamble(size.width, size.height) +
                         fmt::format("set title {}\n", gnuplot_quoted(plot.title)) + axes_script(plot, axes) +
@@ -124,7 +127,7 @@ void write_plots(const std::filesystem::path& path, const std::string& title, co
   const bool shares_x_label = share_label(plots, &Plot::x_label);
   const bool shares_y_label = share_label(plots, &Plot::y_label);
   const double head = title.empty() ? 0.0 : 40.0 / size.height;
-  const double legend = 44.0 / size.height;
+  const double legend = 58.0 / size.height;
   const double label = 24.0 / size.height;
   const double foot = legend + (shares_x_label ? label : 0.0);
   const double cell_width = 1.0 / static_cast<double>(columns);
@@ -142,8 +145,9 @@ void write_plots(const std::filesystem::path& path, const std::string& title, co
                           gnuplot_quoted(title), 1.0 - 0.5 * head);
   }
   for (std::size_t k = 0; k < plots.size(); ++k) {
+    const std::size_t row = k / columns;
     const double cell_left = cell_width * static_cast<double>(k % columns);
-    const double cell_top = 1.0 - head - cell_height * static_cast<double>(k / columns);
+    const double cell_top = 1.0 - head - cell_height * static_cast<double>(row);
     script += margins(
         {cell_left + left, cell_left + cell_width - right, cell_top - cell_height + below, cell_top - above});
     script += fmt::format("set title {} offset 0,-0.6\n", gnuplot_quoted(plots[k].title));

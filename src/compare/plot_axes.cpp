@@ -55,7 +55,9 @@ PlotRange with_room(const PlotRange& range, bool is_log, double share) {
 std::string log_marks(const PlotRange& range) {
   if (range.most / range.least > 200.0) return {};
   std::string marks;
-  for (double power = std::floor(std::log10(range.least)); power <= std::log10(range.most); power += 1.0) {
+  const int first = static_cast<int>(std::floor(std::log10(range.least)));
+  const int last = static_cast<int>(std::floor(std::log10(range.most)));
+  for (int power = first; power <= last; ++power) {
     for (const double digit : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0}) {
       const bool is_extra = digit == 1.5 || digit == 4.0;
       if (is_extra && range.most / range.least > 8.0) continue;
@@ -204,7 +206,7 @@ std::string legend_script(LegendPosition position) {
       return "set key outside right top" + form;
     case LegendPosition::Automatic:
     case LegendPosition::Below:
-      return "set key below center" + form;
+      return "set key below center height 1" + form;
     case LegendPosition::None:
       break;
   }

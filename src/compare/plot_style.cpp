@@ -32,6 +32,7 @@ int SeriesLooks::take_colour(const PlotSeries& series) {
     if (used_colours_.count(k) == 0) return k;
   }
   used_colours_.clear();
+  is_repeating_ = true;
   return 1;
 }
 
@@ -41,6 +42,7 @@ SeriesLook SeriesLooks::look_of(const PlotSeries& series) {
   SeriesLook look;
   const int colour = take_colour(series);
   look.colour = series_colour(colour);
+  look.is_repeated = is_repeating_ && series.colour < 0;
   if (series.style != SeriesStyle::Band) used_colours_.insert(colour);
   if (is_point(series.style)) {
     look.point_type = kPointTypes[static_cast<std::size_t>(point_kinds_++) % kPointTypes.size()];
@@ -56,7 +58,7 @@ std::string series_drawing(const PlotSeries& series, const SeriesLook& look) {
   };
   switch (series.style) {
     case SeriesStyle::Line:
-      return lines("solid");
+      return lines(look.is_repeated ? "(20,5)" : "solid");
     case SeriesStyle::Dashed:
       return lines("(9,5)");
     case SeriesStyle::Dotted:

@@ -10,8 +10,9 @@ namespace eisph {
 
 /// How one series is drawn.
 struct SeriesLook {
-  std::string colour;  ///< #rrggbb
-  int point_type = 7;  ///< of gnuplot
+  std::string colour;        ///< #rrggbb
+  int point_type = 7;        ///< of gnuplot
+  bool is_repeated = false;  ///< a colour that an earlier series has: lines are then dashed
 };
 
 /// Colour number k of those for series (0 is black), which readers who do not see all colours can tell apart.
@@ -28,6 +29,7 @@ class SeriesLooks {
   std::map<std::string, SeriesLook> by_label_;
   std::set<int> used_colours_;
   int point_kinds_ = 0;
+  bool is_repeating_ = false;
 };
 
 /// What follows the data in a plot command: "with lines ... title ...".
