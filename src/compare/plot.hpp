@@ -51,7 +51,8 @@ struct PictureSize {
 void require_gnuplot();
 
 /// Draws a PNG, in place of an older file. Throws std::runtime_error if gnuplot is missing or fails or the
-/// file cannot be written; std::invalid_argument for a plot without any value to draw.
+/// file cannot be written; std::invalid_argument for a plot without any value to draw. With a height of 0 a
+/// plot of equal aspect is as high as its ranges make it.
 void write_plot(const std::filesystem::path& path, const Plot& plot, PictureSize size = {});
 
 /// Several plots as one PNG, row by row, with `columns` in each row: for example profiles at several times.

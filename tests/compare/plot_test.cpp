@@ -4,6 +4,7 @@
 #include "compare/gnuplot.hpp"
 #include "compare/picture.hpp"
 #include "compare/plot_axes.hpp"
+#include "compare/plot_size.hpp"
 #include "compare/plot_style.hpp"
 #include "io/temporary_folder.hpp"
 
@@ -266,6 +267,47 @@ TEST(SeriesLooks, DifferUnlessLabelsAreTheSame) {
             series_colour(0));
   EXPECT_EQ(looks.look_of({.label = "c", .curve = {}, .colour = 5}).colour, series_colour(5));
   EXPECT_EQ(looks.look_of({.label = "d", .curve = {}}).colour, series_colour(3));
+}
+
+TEST(SeriesLooks, DashColoursThatComeAgain) {
+  SeriesLooks looks;
+  for (int k = 0; k < 7; ++k) {
+    EXPECT_FALSE(looks.look_of({.label = "first " + std::to_string(k), .curve = {}}).is_repeated);
+  }
+  const SeriesLook eighth = looks.look_of({.label = "eighth", .curve = {}});
+  EXPECT_TRUE(eighth.is_repeated);
+  EXPECT_EQ(eighth.colour, series_colour(1));
+}
+
+TEST(FittingSize, GivesBothAxesTheSameScale) {
+  const AxesRoom room{.left = 100, .right = 100, .above = 50, .below = 50};
+  const PictureSize wide = fitting_size({0.0, 4.0}, {1.0, 2.0}, 1000, room);
+  EXPECT_EQ(wide.width, 1000);
+  EXPECT_EQ(wide.height, 200 + 100);
+  // 800 by 1600 would be too high: 300 by 600.
+  const PictureSize tall = fitting_size({0.0, 1.0}, {0.0, 2.0}, 1000, room);
+  EXPECT_EQ(tall.width, 300 + 200);
+  EXPECT_EQ(tall.height, 600 + 100);
+}
+
+TEST(MarkStep, IsRoundAndLeavesRoomForTheNumbers) {
+  EXPECT_DOUBLE_EQ(mark_step({0.0, 1.0}, 640.0), 0.1);
+  EXPECT_DOUBLE_EQ(mark_step({0.0, 1.0}, 400.0), 0.2);
+  EXPECT_DOUBLE_EQ(mark_step({0.0, 0.15}, 240.0), 0.05);
+  EXPECT_DOUBLE_EQ(mark_step({-100.0, 800.0}, 640.0), 100.0);
+  EXPECT_DOUBLE_EQ(mark_step({0.0, 1.0}, 80.0), 1.0);
+}
+
+TEST(WritePlot, OfEqualAspectCanFitItsRanges) {
+  const TemporaryFolder folder;
+  Plot plot = line_plot();
+  plot.equal_aspect = true;
+  plot.x_range = PlotRange{0.0, 2.0};
+  plot.y_range = PlotRange{0.0, 1.0};
+  write_plot(folder / "a.png", plot, {900, 0});
+  const Picture picture = read_picture(folder / "a.png");
+  EXPECT_EQ(picture.width, 900);
+  EXPECT_NEAR(picture.height, 0.5 * (900 - 126) + 124, 2.0);
 }
 
 FieldPlot slope_field() {
