@@ -4,9 +4,9 @@
 #include "probe/surface_elements.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace eisph {
 
@@ -15,30 +15,36 @@ namespace {
 constexpr double kGone = -std::numeric_limits<double>::infinity();  ///< top of a gate that is gone
 constexpr double kLeastSpace = 1e-3;
 
-/// Cells along one axis whose centres a coordinate and its mirror images reach, with their weights.
-class AxisWeights {
- public:
-  /// Calls visit(cell, weight): weights of B, 1/m.
-  template <class Visit>
-  static void visit(double offset, double length, double dx, double cell_size, std::size_t cells,
-                    const Visit& visit) {
-    const double reach = 2.0 * dx;
-    visit_one(offset, dx, cell_size, cells, visit);
-    if (offset < reach) visit_one(-offset, dx, cell_size, cells, visit);
-    if (length - offset < reach + cell_size) visit_one(2.0 * length - offset, dx, cell_size, cells, visit);
+/// Calls visit(cell, weight) for the cells of one axis whose centres a coordinate reaches: weights of B, 1/m.
+template <class Visit>
+void visit_reached(double offset, double dx, double cell_size, std::size_t cells, const Visit& visit) {
+  const double first = std::ceil((offset - 2.0 * dx) / cell_size - 0.5);
+  const double last = std::min((offset + 2.0 * dx) / cell_size - 0.5, static_cast<double>(cells) - 1.0);
+  for (double cell = std::max(first, 0.0); cell <= last; cell += 1.0) {
+    const double weight = axis_spline(((cell + 0.5) * cell_size - offset) / dx) / dx;
+    visit(static_cast<std::size_t>(cell), weight);
   }
+}
 
- private:
-  template <class Visit>
-  static void visit_one(double offset, double dx, double cell_size, std::size_t cells, const Visit& visit) {
-    const double first = std::ceil((offset - 2.0 * dx) / cell_size - 0.5);
-    const double last = std::min((offset + 2.0 * dx) / cell_size - 0.5, static_cast<double>(cells) - 1.0);
-    for (double cell = std::max(first, 0.0); cell <= last; cell += 1.0) {
-      const double weight = axis_spline(((cell + 0.5) * cell_size - offset) / dx) / dx;
-      visit(static_cast<std::size_t>(cell), weight);
-    }
+/// The same with the mirror images at both ends of the axis.
+template <class Visit>
+void visit_axis(double offset, double length, double dx, double cell_size, std::size_t cells,
+                const Visit& visit) {
+  const double reach = 2.0 * dx;
+  visit_reached(offset, dx, cell_size, cells, visit);
+  if (offset < reach) visit_reached(-offset, dx, cell_size, cells, visit);
+  if (length - offset < reach + cell_size) visit_reached(2.0 * length - offset, dx, cell_size, cells, visit);
+}
+
+/// A shape seen from above, in pieces; a sphere as the disc of its radius.
+std::vector<SurfaceElement> plan_elements(const Shape& shape, double spacing, int dimension) {
+  if (shape.kind == ShapeKind::Sphere) {
+    return disc_elements(shape.centre, Vec3d::UnitZ(), 2.0 * shape.radius, spacing, dimension);
   }
-};
+  std::vector<SurfaceElement> elements = surface_elements(shape, spacing, dimension);
+  std::erase_if(elements, [](const SurfaceElement& element) { return element.normal.z() < 0.5; });
+  return elements;
+}
 
 /// A part of the height that solids fill to some degree.
 struct Filled {
@@ -111,43 +117,22 @@ void SurfaceDepth::add_prism(const Shape& outline, const Prism& prism, const Dep
   const auto number = static_cast<std::uint32_t>(prisms_.size());
   prisms_.push_back(prism);
   std::vector<double> share(grid.depth.size(), 0.0);
-  Vec3d centre = outline.centre;
-  if (outline.kind == ShapeKind::Box) centre = 0.5 * (outline.min + outline.max);
-  const auto spread = [&](const Vec3d& point, double area) {
+  for (const SurfaceElement& part : plan_elements(outline, dx_, dimension_)) {
     // Only what is inside the domain: the mirror images stand for the rest.
-    if (point.x() < lower_.x() || point.x() > upper_.x()) return;
-    if (dimension_ == 3 && (point.y() < lower_.y() || point.y() > upper_.y())) return;
+    const Vec3d& point = part.point;
+    if (point.x() < lower_.x() || point.x() > upper_.x()) continue;
+    if (dimension_ == 3 && (point.y() < lower_.y() || point.y() > upper_.y())) continue;
     visit_cells(point.x(), point.y(), grid,
-                [&](std::size_t cell, double weight) { share[cell] += weight * area; });
-  };
-  if (outline.kind == ShapeKind::Box) {
-    const Vec3d size = outline.max - outline.min;
-    const auto pieces = [&](double length) { return std::max(1.0, std::ceil(length / dx_ - 1e-6)); };
-    const double columns = pieces(size.x());
-    const double rows = dimension_ == 2 ? 1.0 : pieces(size.y());
-    const double area = size.x() / columns * (dimension_ == 2 ? 1.0 : size.y() / rows);
-    const double c = std::cos(outline.rotation_z);
-    const double s = std::sin(outline.rotation_z);
-    for (double i = 0.5; i < columns; i += 1.0) {
-      for (double j = 0.5; j < rows; j += 1.0) {
-        const double u = (i / columns - 0.5) * size.x();
-        const double v = dimension_ == 2 ? 0.0 : (j / rows - 0.5) * size.y();
-        spread(centre + Vec3d(c * u - s * v, s * u + c * v, 0.0), area);
-      }
-    }
-  } else {
-    for (const SurfaceElement& part :
-         disc_elements(centre, Vec3d::UnitZ(), 2.0 * outline.radius, dx_, dimension_)) {
-      spread(part.point, part.area);
-    }
+                [&](std::size_t cell, double weight) { share[cell] += weight * part.area; });
   }
-  const double middle_height =
-      outline.kind == ShapeKind::Cylinder ? centre.z() + 0.5 * outline.height : centre.z();
+  Vec3d middle = outline.centre;
+  if (outline.kind == ShapeKind::Box) middle = 0.5 * (outline.min + outline.max);
+  if (outline.kind == ShapeKind::Cylinder) middle.z() += 0.5 * outline.height;
   for (std::size_t cell = 0; cell < share.size(); ++cell) {
     if (share[cell] <= 0.0) continue;
     const Vec3d point(grid.origin_x + (static_cast<double>(cell % grid.columns) + 0.5) * grid.cell_size,
                       grid.origin_y + (static_cast<double>(cell / grid.columns) + 0.5) * grid.cell_size,
-                      middle_height);
+                      middle.z());
     shares_.push_back({static_cast<std::uint32_t>(cell), number, std::min(share[cell], 1.0),
                        outline.contains(point, dimension_)});
   }
@@ -157,14 +142,14 @@ void SurfaceDepth::add_prism(const Shape& outline, const Prism& prism, const Dep
 template <class Visit>
 void SurfaceDepth::visit_cells(double x, double y, const DepthGrid& grid, const Visit& visit) const {
   const auto along_x = [&](std::size_t row, double row_weight) {
-    AxisWeights::visit(
+    visit_axis(
         x - lower_.x(), upper_.x() - lower_.x(), dx_, grid.cell_size, grid.columns,
         [&](std::size_t column, double weight) { visit(row * grid.columns + column, row_weight * weight); });
   };
   if (dimension_ == 2) {
     along_x(0, 1.0);
   } else {
-    AxisWeights::visit(y - lower_.y(), upper_.y() - lower_.y(), dx_, grid.cell_size, grid.rows, along_x);
+    visit_axis(y - lower_.y(), upper_.y() - lower_.y(), dx_, grid.cell_size, grid.rows, along_x);
   }
 }
 
