@@ -1,5 +1,6 @@
 #include "probe/probe_set.hpp"
 
+#include "probe/column_probes.hpp"
 #include "probe/leading_edge.hpp"
 #include "probe/ledger.hpp"
 
@@ -56,7 +57,7 @@ void ProbeSet::record_ledger(const Snapshot& snapshot) {
   const LedgerEntry entry = take_ledger(snapshot, scene_);
   std::vector<double> row{snapshot.time,
                           static_cast<double>(snapshot.step),
-                          static_cast<double>(snapshot.size()),
+                          static_cast<double>(snapshot.columns ? wet_columns(*snapshot.columns) : snapshot.size()),
                           entry.mass,
                           entry.volume,
                           entry.kinetic_energy,
