@@ -60,6 +60,16 @@ std::optional<VerticalExtent> vertical_extent(const Shape& shape, double x, doub
   return VerticalExtent{shape.centre.z() - half_chord, shape.centre.z() + half_chord};
 }
 
+Scene without_cuts_of_solids(Scene scene) {
+  const auto is_solid = [&](const FluidRegion& region) {
+    const auto has_its_shape = [&](const auto& solid) { return solid.shape == region.shape; };
+    return region.cut && (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), has_its_shape) ||
+                          std::any_of(scene.gates.begin(), scene.gates.end(), has_its_shape));
+  };
+  std::erase_if(scene.fluid, is_solid);
+  return scene;
+}
+
 ColumnWater water_on_line(const Scene& scene, double x, double y, double bed) {
   std::vector<std::optional<VerticalExtent>> extents;
   std::vector<double> heights{bed};

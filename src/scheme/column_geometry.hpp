@@ -25,6 +25,10 @@ struct ColumnWater {
   double discharge_y = 0.0;
 };
 
+/// The scene without those cut regions that are a solid of it: a bed in the place of the solid leaves no room
+/// for water there, and taking parts of cells out as well would leave dents in a level lake.
+[[nodiscard]] Scene without_cuts_of_solids(Scene scene);
+
 /// Total height of the water on the line at (x, y) above `bed` (a height in the scene's coordinates): in an
 /// added region and in no cut one. The last added region that contains a point gives its velocity.
 [[nodiscard]] ColumnWater water_on_line(const Scene& scene, double x, double y, double bed);

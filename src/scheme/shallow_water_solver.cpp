@@ -70,12 +70,13 @@ ShallowWaterSolver::ShallowWaterSolver(const Scene& scene, int threads)
 }
 
 void ShallowWaterSolver::fill_columns() {
+  const Scene scene = without_cuts_of_solids(scene_);
   double fastest = 0.0;
   for (std::size_t j = 0; j < grid_.rows; ++j) {
     for (std::size_t i = 0; i < grid_.columns; ++i) {
       const std::size_t cell = grid_.index(i, j);
       const double size = grid_.cell_size;
-      const ColumnWater water = water_in_cell(scene_, grid_.origin_x + static_cast<double>(i) * size,
+      const ColumnWater water = water_in_cell(scene, grid_.origin_x + static_cast<double>(i) * size,
                                               grid_.origin_y + static_cast<double>(j) * size, size,
                                               scene_.domain_min.z() + bed_.bed()[cell]);
       state_.depth[cell] = water.depth;
