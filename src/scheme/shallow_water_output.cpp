@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace eisph {
 
@@ -20,54 +21,72 @@ class ColumnParticles {
   ColumnParticles(const Scene& scene, const ColumnField& field, bool plane)
       : scene_(scene), field_(field), plane_(plane) {}
 
+  /// Layer by layer from the surface down, so that ids rise.
   void fill(Snapshot& snapshot) const {
-    // Layer by layer from the surface down, so that ids rise.
-    for (std::size_t layer = 0; add_layer(layer, snapshot); ++layer) {
+    std::vector<Column> columns = visible_columns();
+    reserve(snapshot, columns.size());
+    for (std::size_t layer = 0; !columns.empty(); ++layer) {
+      std::erase_if(columns, [&](const Column& column) { return layer >= column.layers; });
+      for (const Column& column : columns) add(column, layer, snapshot);
     }
   }
 
  private:
-  [[nodiscard]] std::size_t layers(std::size_t cell) const {
-    const double depth = field_.depth[cell];
-    if (depth < kDrawnDepth * field_.cell_size) return 0;
-    return static_cast<std::size_t>(std::ceil(depth / field_.cell_size - 1e-6));
+  struct Column {
+    std::size_t cell = 0;
+    std::size_t layers = 0;  ///< to be drawn
+    double thickness = 0.0;  ///< of a layer, m
+  };
+
+  [[nodiscard]] std::vector<Column> visible_columns() const {
+    std::vector<Column> columns;
+    for (std::size_t j = 0; j < field_.rows; ++j) {
+      for (std::size_t i = 0; i < field_.columns; ++i) {
+        Column column;
+        column.cell = field_.index(i, j);
+        const double depth = field_.depth[column.cell];
+        if (depth < kDrawnDepth * field_.cell_size) continue;
+        column.layers = static_cast<std::size_t>(std::ceil(depth / field_.cell_size - 1e-6));
+        column.thickness = depth / static_cast<double>(column.layers);
+        if (plane_) {
+          const double seen = level(column.cell) - lowest_beside(i, j);
+          const double seen_layers = std::max(1.0, std::ceil(seen / column.thickness));
+          column.layers = std::min(column.layers, static_cast<std::size_t>(seen_layers));
+        }
+        columns.push_back(column);
+      }
+    }
+    return columns;
   }
+
+  [[nodiscard]] double level(std::size_t cell) const { return field_.bed[cell] + field_.depth[cell]; }
 
   /// The lowest surface beside a cell, m above the floor: what stands above it can be seen.
   [[nodiscard]] double lowest_beside(std::size_t i, std::size_t j) const {
-    const auto level = [&](std::size_t cell) { return field_.bed[cell] + field_.depth[cell]; };
-    const bool at_edge = i == 0 || j == 0 || i + 1 == field_.columns || j + 1 == field_.rows;
-    if (at_edge) return 0.0;
+    if (i == 0 || j == 0 || i + 1 == field_.columns || j + 1 == field_.rows) return 0.0;
     const std::size_t cell = field_.index(i, j);
-    const float along_x = std::min(level(cell - 1), level(cell + 1));
+    const double along_x = std::min(level(cell - 1), level(cell + 1));
     return std::min(along_x, std::min(level(cell - field_.columns), level(cell + field_.columns)));
   }
 
-  bool add_layer(std::size_t layer, Snapshot& snapshot) const {
-    bool any_deeper = false;
-    for (std::size_t j = 0; j < field_.rows; ++j) {
-      for (std::size_t i = 0; i < field_.columns; ++i) {
-        const std::size_t cell = field_.index(i, j);
-        const std::size_t count = layers(cell);
-        if (layer >= count) continue;
-        any_deeper = any_deeper || layer + 1 < count;
-        const double thickness = field_.depth[cell] / static_cast<double>(count);
-        const double below_surface = static_cast<double>(layer) * thickness;
-        const double top = field_.bed[cell] + field_.depth[cell] - below_surface;
-        if (plane_ && layer > 0 && top <= lowest_beside(i, j)) continue;
-        add(i, j, layer, below_surface + 0.5 * thickness, snapshot);
-      }
-    }
-    return any_deeper;
+  static void reserve(Snapshot& snapshot, std::size_t columns) {
+    const std::size_t particles = columns + columns / 4;
+    snapshot.id.reserve(particles);
+    snapshot.position.reserve(particles);
+    snapshot.velocity.reserve(particles);
+    snapshot.pressure.reserve(particles);
+    snapshot.number_density.reserve(particles);
   }
 
-  void add(std::size_t i, std::size_t j, std::size_t layer, double below_surface, Snapshot& snapshot) const {
-    const std::size_t cell = field_.index(i, j);
+  void add(const Column& column, std::size_t layer, Snapshot& snapshot) const {
+    const std::size_t cell = column.cell;
     const double size = field_.cell_size;
-    const double surface = scene_.domain_min.z() + field_.bed[cell] + field_.depth[cell];
-    const Vec3d position(field_.origin_x + (static_cast<double>(i) + 0.5) * size,
-                         plane_ ? field_.origin_y + (static_cast<double>(j) + 0.5) * size : 0.0,
-                         surface - below_surface);
+    const double below_surface = (static_cast<double>(layer) + 0.5) * column.thickness;
+    const auto i = static_cast<double>(cell % field_.columns);
+    const auto j = static_cast<double>(cell / field_.columns);
+    const Vec3d position(field_.origin_x + (i + 0.5) * size,
+                         plane_ ? field_.origin_y + (j + 0.5) * size : 0.0,
+                         scene_.domain_min.z() + level(cell) - below_surface);
     snapshot.id.push_back(static_cast<std::uint32_t>(layer * field_.size() + cell));
     snapshot.position.emplace_back(position.cast<float>());
     snapshot.velocity.emplace_back(field_.velocity_x[cell], field_.velocity_y[cell], 0.0F);

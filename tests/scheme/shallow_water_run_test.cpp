@@ -98,6 +98,24 @@ TEST(ShallowWater, ASceneWithXAndYExchangedRunsTheSame) {
   }
 }
 
+TEST(ShallowWater, HalfATankUpToItsPlaneOfSymmetryRunsAsTheWholeOne) {
+  Scene whole = past_a_block();
+  whole.obstacles[0].shape = box(Vec3d(0.6, 0.2, 0.0), Vec3d(0.74, 0.4, 0.3));
+  Scene half = whole;
+  half.domain_max.y() = 0.3;
+  half.fluid[0].shape.max.y() = 0.3;
+  half.faces[kYMax].kind = FaceKind::Symmetry;
+  const auto one = start(whole);
+  const auto other = start(half);
+  run_until(*one, 0.8);
+  run_until(*other, 0.8);
+  const auto a = one->snapshot();
+  const auto b = other->snapshot();
+  for (std::size_t k = 0; k < b->columns->size(); ++k) {
+    ASSERT_NEAR(a->columns->depth[k], b->columns->depth[k], 1e-7) << k;
+  }
+}
+
 TEST(ShallowWater, ARowOfCellsAndAWideChannelAgree) {
   const auto row =
       start(shallow_tank(2, Vec3d(1.0, 0.0, 0.4), 0.02, box(Vec3d::Zero(), Vec3d(0.3, 0.0, 0.2))));
