@@ -55,6 +55,14 @@ std::vector<std::vector<Overlap>> overlaps(double target_origin, double target_s
   return result;
 }
 
+/// Part of the interval [lower, upper] of one axis that a band leaves, 0 to 1.
+double share_in(const Band& band, int axis, double lower, double upper) {
+  const auto& range = band.range[static_cast<std::size_t>(axis)];
+  if (!range || !(upper > lower)) return 1.0;
+  const double shared = std::min(upper, (*range)[1]) - std::max(lower, (*range)[0]);
+  return std::max(shared, 0.0) / (upper - lower);
+}
+
 }  // namespace
 
 double column_level(const ColumnField& columns, double x, double y) {
@@ -77,6 +85,29 @@ LeadingEdge column_front(const ColumnField& columns) {
   return {farthest(kFrontDepth), farthest(kBulkFrontDepth)};
 }
 
+LeadingEdge column_front(const FrontProbe& probe, const ColumnField& columns, const Scene& scene) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  LeadingEdge edge{kNone, kNone};
+  const auto farther = [&](double present, double other) {
+    return probe.upwards ? std::fmax(present, other) : std::fmin(present, other);
+  };
+  for (std::size_t j = 0; j < columns.rows; ++j) {
+    for (std::size_t i = 0; i < columns.columns; ++i) {
+      const std::size_t cell = columns.index(i, j);
+      const double depth = columns.depth[cell];
+      if (!(depth > kFrontDepth)) continue;
+      const Vec3d centre(columns.origin_x + (static_cast<double>(i) + 0.5) * columns.cell_size,
+                         columns.origin_y + (static_cast<double>(j) + 0.5) * columns.cell_size,
+                         scene.domain_min.z() + level(columns, cell));
+      if (!probe.band.contains(centre)) continue;
+      const double end = centre[probe.axis] + (probe.upwards ? 0.5 : -0.5) * columns.cell_size;
+      edge.front = farther(edge.front, end);
+      if (depth > kBulkFrontDepth) edge.bulk_front = farther(edge.bulk_front, end);
+    }
+  }
+  return edge;
+}
+
 LedgerEntry column_ledger(const ColumnField& columns, const Scene& scene) {
   const double area = scene.dimension == 2 ? columns.cell_size : columns.cell_size * columns.cell_size;
   const double gravity = std::abs(scene.gravity.z());
@@ -86,6 +117,7 @@ LedgerEntry column_ledger(const ColumnField& columns, const Scene& scene) {
     const Vec3d velocity(columns.velocity_x[cell], columns.velocity_y[cell], 0.0);
     const double mass = scene.density * area * depth;
     entry.mass += mass;
+    entry.volume += area * depth;
     entry.kinetic_energy += 0.5 * mass * velocity.squaredNorm();
     entry.potential_energy += mass * gravity * (columns.bed[cell] + 0.5 * depth);
     entry.momentum += mass * velocity;
@@ -106,6 +138,50 @@ PointSample sample_column(const Vec3d& point, const ColumnField& columns, const 
   if (!(columns.depth[*cell] > 0.0F) || height < columns.bed[*cell] || height > surface) return {};
   return {true, scene.density * std::abs(scene.gravity.z()) * (surface - height),
           Vec3d(columns.velocity_x[*cell], columns.velocity_y[*cell], 0.0)};
+}
+
+std::optional<double> column_wall_pressure(const Vec3d& point, const Vec3d& normal,
+                                           const ColumnField& columns, const Scene& scene) {
+  const double height = point.z() - scene.domain_min.z();
+  const double tolerance = 1e-6 * columns.cell_size;
+  for (const double cells : {0.5, 1.0, 1.5}) {
+    const Vec3d in_front = point + cells * columns.cell_size * normal;
+    const auto cell = cell_at(columns, in_front.x(), in_front.y());
+    if (!cell || columns.bed[*cell] > height + tolerance) continue;
+    const double above = columns.bed[*cell] + columns.depth[*cell] - height;
+    if (!(columns.depth[*cell] > 0.0F) || above < 0.0) return std::nullopt;
+    return scene.density * std::abs(scene.gravity.z()) * above;
+  }
+  return std::nullopt;
+}
+
+double column_discharge(const DischargeProbe& probe, const ColumnField& columns, const Scene& scene) {
+  if (probe.axis == 2) return 0.0;
+  const bool along_x = probe.axis == 0;
+  const double size = columns.cell_size;
+  const double origin = along_x ? columns.origin_x : columns.origin_y;
+  const std::size_t count = along_x ? columns.columns : columns.rows;
+  const std::size_t across = along_x ? columns.rows : columns.columns;
+  const double place =
+      std::clamp((probe.position - origin) / size - 0.5, 0.0, static_cast<double>(count - 1));
+  const auto before = static_cast<std::size_t>(place);
+  const std::size_t behind = std::min(before + 1, count - 1);
+  const double weight = place - static_cast<double>(before);
+  const std::vector<float>& velocity = along_x ? columns.velocity_x : columns.velocity_y;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < across; ++k) {
+    const auto passing = [&](std::size_t n) {
+      const std::size_t cell = along_x ? columns.index(n, k) : columns.index(k, n);
+      const double foot = scene.domain_min.z() + columns.bed[cell];
+      const double depth = columns.depth[cell];
+      return depth * velocity[cell] * share_in(probe.band, 2, foot, foot + depth);
+    };
+    const double lower = (along_x ? columns.origin_y : columns.origin_x) + static_cast<double>(k) * size;
+    const double width =
+        scene.dimension == 2 ? 1.0 : size * share_in(probe.band, along_x ? 1 : 0, lower, lower + size);
+    sum += width * ((1.0 - weight) * passing(before) + weight * passing(behind));
+  }
+  return sum;
 }
 
 void resample_levels(const ColumnField& columns, DepthGrid& grid) {

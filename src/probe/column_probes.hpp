@@ -9,6 +9,7 @@
 #include "probe/point_probe.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace eisph {
 
@@ -26,6 +27,10 @@ inline constexpr double kBulkFrontDepth = 1e-3;
 /// Upper ends along x of the farthest columns deeper than kFrontDepth and kBulkFrontDepth.
 [[nodiscard]] LeadingEdge column_front(const ColumnField& columns);
 
+/// The same in the direction of a probe and among the columns whose centre (at the surface) lies in its band.
+[[nodiscard]] LeadingEdge column_front(const FrontProbe& probe, const ColumnField& columns,
+                                       const Scene& scene);
+
 /// Sums over the columns, in two dimensions per metre of width; the water is incompressible.
 [[nodiscard]] LedgerEntry column_ledger(const ColumnField& columns, const Scene& scene);
 
@@ -34,6 +39,18 @@ inline constexpr double kBulkFrontDepth = 1e-3;
 
 /// Velocity of the column at the point and hydrostatic pressure; wet between bed and surface, ends included.
 [[nodiscard]] PointSample sample_column(const Vec3d& point, const ColumnField& columns, const Scene& scene);
+
+/// Hydrostatic pressure (Pa) on a wall at `point`, `normal` being a unit vector into the water: that of the
+/// first column in front of it, at most one and a half cells away, whose bed is not above the point. Nothing
+/// where that one ends below the point, or if there is none. What a stream presses beyond the weight of the
+/// water it piles up is not in it.
+[[nodiscard]] std::optional<double> column_wall_pressure(const Vec3d& point, const Vec3d& normal,
+                                                         const ColumnField& columns, const Scene& scene);
+
+/// Volume of water through a plane, m^3/s (m^2/s in two dimensions), positive along its axis, linear between
+/// the columns at both sides. Edges of the band cut columns, also in height. Nothing passes a level plane.
+[[nodiscard]] double column_discharge(const DischargeProbe& probe, const ColumnField& columns,
+                                      const Scene& scene);
 
 /// Replaces the depths of `grid` by the mean levels over its cells, weighted with the areas that cells of the
 /// two grids share. Columns on dry solids are left out, and so is what of a cell lies outside the columns;

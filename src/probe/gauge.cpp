@@ -48,6 +48,7 @@ double water_level(const Gauge& gauge, const Scene& scene, const Snapshot& snaps
 }
 
 double surface_level(const Gauge& gauge, const FluidField& field) {
+  if (field.snapshot().columns) return column_level(*field.snapshot().columns, gauge.x, gauge.y);
   const Scene& scene = field.scene();
   const double floor = scene.domain_min.z();
   const double height = gauge.height > 0.0 ? gauge.height : scene.domain_max.z() - floor;

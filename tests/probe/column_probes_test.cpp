@@ -54,12 +54,65 @@ TEST(ColumnFront, IsTheUpperEndOfTheFarthestColumnDeepEnough) {
   EXPECT_TRUE(std::isnan(column_front(dry).front));
 }
 
+TEST(ColumnFront, OfAProbeLooksInItsDirectionAndBand) {
+  const Scene scene = scene_of_columns();
+  const ColumnField columns = columns_with_a_block();
+  FrontProbe probe;
+  EXPECT_NEAR(column_front(probe, columns, scene).front, 1.4, 1e-12);
+  probe.band.range[1] = {2.1, 2.2};
+  EXPECT_NEAR(column_front(probe, columns, scene).front, 1.3, 1e-12) << "second row";
+  probe.upwards = false;
+  EXPECT_NEAR(column_front(probe, columns, scene).bulk_front, 1.0, 1e-12);
+  probe.band.range[1].reset();
+  probe.axis = 1;
+  probe.band.range[0] = {1.3, 1.4};
+  EXPECT_NEAR(column_front(probe, columns, scene).front, 2.0, 1e-12);
+  EXPECT_TRUE(std::isnan(column_front(probe, columns, scene).bulk_front)) << "half a millimetre deep";
+}
+
+TEST(ColumnDischarge, IsDepthTimesVelocityBetweenTheColumns) {
+  const Scene scene = scene_of_columns();
+  const ColumnField columns = columns_with_a_block();
+  DischargeProbe probe;
+  probe.position = 1.25;
+  EXPECT_NEAR(column_discharge(probe, columns, scene), 0.1 * (0.3 * -1.0), 1e-8);
+  probe.position = 1.1;  // half way between columns 0 and 1
+  EXPECT_NEAR(column_discharge(probe, columns, scene), 0.1 * 0.5 * (0.1 + 0.8 + 0.05), 1e-8);
+  probe.band.range[1] = {2.05, 2.1};
+  EXPECT_NEAR(column_discharge(probe, columns, scene), 0.05 * 0.5 * 0.1, 1e-8);
+  probe.band.range[1].reset();
+  probe.position = 1.05;
+  probe.band.range[2] = {0.5, 0.7};  // up to 0.2 m above the floor
+  EXPECT_NEAR(column_discharge(probe, columns, scene), 0.1 * (0.1 * 1.0 + 0.2 * 2.0), 1e-8);
+  DischargeProbe across;
+  across.axis = 1;
+  across.position = 2.05;
+  EXPECT_NEAR(column_discharge(across, columns, scene), 0.1 * 0.6, 1e-8);
+}
+
+TEST(ColumnWallPressure, IsThatOfTheColumnInFront) {
+  const Scene scene = scene_of_columns();
+  const ColumnField columns = columns_with_a_block();
+  // The block's face at x = 1.2 in the first row, with 0.3 m of water before it.
+  const auto at = [&](double x, double z, const Vec3d& normal) {
+    return column_wall_pressure(Vec3d(x, 2.05, z), normal, columns, scene);
+  };
+  ASSERT_TRUE(at(1.2, 0.6, Vec3d::UnitX()));
+  EXPECT_NEAR(*at(1.2, 0.6, Vec3d::UnitX()), 1000.0 * 9.81 * 0.2, 1e-3);
+  EXPECT_FALSE(at(1.2, 0.81, Vec3d::UnitX())) << "above the water";
+  EXPECT_NEAR(*at(1.25, 0.5, Vec3d::UnitZ()), 1000.0 * 9.81 * 0.3, 1e-3) << "floor";
+  EXPECT_NEAR(*at(1.14, 0.6, Vec3d::UnitX()), 1000.0 * 9.81 * 0.2, 1e-3)
+      << "a face inside the cell of a solid";
+  EXPECT_FALSE(at(1.15, 0.7, Vec3d::UnitZ())) << "dry top";
+}
+
 TEST(ColumnLedger, SumsMassEnergiesAndMomentum) {
   const Scene scene = scene_of_columns();
   const ColumnField columns = columns_with_a_block();
   const LedgerEntry entry = column_ledger(columns, scene);
   const double area = 0.01;
   EXPECT_NEAR(entry.mass, 1000.0 * area * (0.1 + 0.3 + 5e-4 + 5e-5 + 0.4 + 0.1 + 0.2), 1e-6);
+  EXPECT_NEAR(entry.volume, 1e-3 * entry.mass, 1e-12);
   EXPECT_NEAR(entry.kinetic_energy,
               500.0 * area * (0.1 * 1.0 + 0.3 * 5.0 + 0.4 * 4.0 + 0.1 * 0.25 + 0.2 * 1.0), 1e-6);
   EXPECT_NEAR(entry.momentum.x(), 1000.0 * area * (0.1 - 0.3 + 0.8 + 0.05), 1e-6);
