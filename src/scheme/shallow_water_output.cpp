@@ -206,8 +206,9 @@ SimulationPlan ShallowWaterSolver::plan() const {
   plan.water_volume = volume_initial_;
   plan.time_step = admissible_step();
   plan.effective_sound_speed = std::sqrt(gravity_ * scene_.reference_depth);
-  // The waves that come of it are about twice as fast as those of the water at rest.
-  const double speed = std::max(wave_speed_, std::sqrt(2.0) * scene_.reference_speed());
+  // A front runs at up to 2 sqrt(g H), and with two axes the waves across it add to that.
+  const double fastest = (plane_ ? 2.5 : 2.0) * std::sqrt(gravity_ * scene_.reference_depth);
+  const double speed = std::max(wave_speed_, fastest);
   plan.estimated_steps = static_cast<std::uint64_t>(
       std::ceil(scene_.end_time * speed / (scene_.shallow_water.courant * grid_.cell_size)));
   plan.estimated_bytes = state_bytes(nullptr);
