@@ -41,6 +41,7 @@ struct Overlap {
 std::vector<std::vector<Overlap>> overlaps(double target_origin, double target_size, std::size_t targets,
                                            double source_origin, double source_size, std::size_t sources) {
   std::vector<std::vector<Overlap>> result(targets);
+  const double rounding = 1e-6 * std::min(target_size, source_size);
   for (std::size_t t = 0; t < targets; ++t) {
     const double lower = target_origin + static_cast<double>(t) * target_size;
     const double upper = lower + target_size;
@@ -49,7 +50,7 @@ std::vector<std::vector<Overlap>> overlaps(double target_origin, double target_s
       const double begin = source_origin + static_cast<double>(s) * source_size;
       if (begin >= upper) break;
       const double shared = std::min(upper, begin + source_size) - std::max(lower, begin);
-      if (shared > 0.0) result[t].push_back({s, shared / target_size});
+      if (shared > rounding) result[t].push_back({s, shared / target_size});
     }
   }
   return result;

@@ -82,8 +82,9 @@ class ColumnParticles {
     const std::size_t cell = column.cell;
     const double size = field_.cell_size;
     const double below_surface = (static_cast<double>(layer) + 0.5) * column.thickness;
-    const auto i = static_cast<double>(cell % field_.columns);
-    const auto j = static_cast<double>(cell / field_.columns);
+    const std::size_t row = cell / field_.columns;
+    const auto i = static_cast<double>(cell - row * field_.columns);
+    const auto j = static_cast<double>(row);
     const Vec3d position(field_.origin_x + (i + 0.5) * size,
                          plane_ ? field_.origin_y + (j + 0.5) * size : 0.0,
                          scene_.domain_min.z() + level(cell) - below_surface);

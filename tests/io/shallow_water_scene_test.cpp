@@ -54,7 +54,7 @@ TEST(ShallowWaterScene, NamesWhatItCannotUse) {
   EXPECT_THAT(loader.error(kSceneText, {kShallow, "domain.faces.z_min=\"open\""}),
               HasSubstr("needs a floor"));
   EXPECT_THAT(loader.error(kSceneText, {kShallow, "shallow_water.courant=1.5"}),
-              HasSubstr("expected a number above 0, up to 1"));
+              HasSubstr("expected a number above 0 and at most 1"));
   EXPECT_THAT(loader.error(kSceneText, {"scheme.name=swe"}), HasSubstr("\"eisph\", \"shallow_water\""));
 }
 
