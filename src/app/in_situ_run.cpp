@@ -50,9 +50,13 @@ class Stopwatch {
 };
 
 ProgressState progress_state(const Simulation& simulation, double end_time, const Stopwatch& watch) {
-  return {
-      simulation.time(), end_time, simulation.time_step(), simulation.steps(), simulation.fluid_particles(),
-      watch.seconds()};
+  return {simulation.time(),
+          end_time,
+          simulation.time_step(),
+          simulation.steps(),
+          simulation.fluid_particles(),
+          watch.seconds(),
+          simulation.carriers()};
 }
 
 LoopHooks make_hooks(const Simulation& simulation, Pipeline& pipeline, ProgressReporter& progress,

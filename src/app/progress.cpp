@@ -38,9 +38,9 @@ std::string progress_line(const ProgressState& state, std::size_t width) {
                                             : 0.0;
   const std::string remaining =
       share > 0.0 ? duration_text(state.wall_time * (1.0 - share) / share) : std::string("?");
-  std::string line =
-      fmt::format("{:5.1f} %  t {:.4f} s  step {}  dt {:.2e} s  {} particles  {}/s  ETA {}", 100.0 * share,
-                  state.time, state.step, state.time_step, state.particles, rate_text(rate), remaining);
+  std::string line = fmt::format("{:5.1f} %  t {:.4f} s  step {}  dt {:.2e} s  {} {}  {}/s  ETA {}",
+                                 100.0 * share, state.time, state.step, state.time_step, state.particles,
+                                 state.carriers, rate_text(rate), remaining);
   if (line.size() > width) line.resize(width);
   return line;
 }

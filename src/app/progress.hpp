@@ -13,7 +13,8 @@ struct ProgressState {
   double time_step = 0.0;  ///< s
   std::uint64_t step = 0;
   std::uint64_t particles = 0;
-  double wall_time = 0.0;  ///< s since the time loop began
+  double wall_time = 0.0;              ///< s since the time loop began
+  const char* carriers = "particles";  ///< or cells
 };
 
 /// One line, cut to `width` characters: share done, simulated time, step, time step, particles, fluid

@@ -41,6 +41,11 @@ std::shared_ptr<spdlog::logger> make_log(const RunFiles& files) {
 
 void log_start(spdlog::logger& log, const Scene& scene, const SimulationPlan& plan, int threads) {
   log.info("{}, scene {} ({}), {} threads", software_name(), scene.name, scene.source_file, threads);
+  if (scene.scheme.name == "shallow_water") {
+    log.info("shallow water, {} cells of {:g} m, {} wet; time step {:.4g} s, about {} steps",
+             plan.fluid_particles, plan.cell_size, plan.wet_cells, plan.time_step, plan.estimated_steps);
+    return;
+  }
   log.info("{} fluid, {} object, {} virtual, {} ghost particles; time step {:.4g} s, about {} steps",
            plan.fluid_particles, plan.object_particles, plan.virtual_particles, plan.ghost_particles,
            plan.time_step, plan.estimated_steps);
@@ -61,15 +66,27 @@ void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles&
   };
   fmt::print(out, "{}: {}\n", summary.scene, summary.status == "blown_up" ? "blown up" : summary.status);
   row("simulated time", fmt::format("{:.6g} s in {} steps", summary.simulated_time, summary.steps));
-  row("wall clock",
-      fmt::format("{} stepping, {} finding the first pressure", duration_text(summary.wall_time_loop),
-                  duration_text(summary.wall_time_initial_pressure)));
-  row("particles", fmt::format("{} fluid, {} object", summary.fluid_particles, summary.object_particles));
-  row("speed", fmt::format("{:.3g} million particle-steps/s on {} thread(s)",
-                           summary.particle_steps_per_second / 1e6, summary.threads));
-  row("largest compression", fmt::format("{:.2f} %, 95th percentile {:.2f} %",
-                                         100.0 * summary.compression_max, 100.0 * summary.compression_p95));
-  row("penetrations, lost", fmt::format("{}, {}", summary.penetrations, summary.lost_particles));
+  const bool cells = summary.scheme == "shallow_water";
+  row("wall clock", fmt::format("{} stepping", duration_text(summary.wall_time_loop)) +
+                        (cells ? std::string()
+                               : fmt::format(", {} finding the first pressure",
+                                             duration_text(summary.wall_time_initial_pressure))));
+  if (cells) {
+    row("cells", fmt::format("{}, {} on solids", summary.fluid_particles, summary.object_particles));
+  } else {
+    row("particles", fmt::format("{} fluid, {} object", summary.fluid_particles, summary.object_particles));
+  }
+  row("speed",
+      fmt::format("{:.3g} million {}-steps/s on {} thread(s)", summary.particle_steps_per_second / 1e6,
+                  cells ? "cell" : "particle", summary.threads));
+  if (cells) {
+    row("volume error", fmt::format("{:.2g}, {:.4g} {} let out", summary.mass_error, summary.outflow_volume,
+                                    summary.dimension == 2 ? "m^2" : "m^3"));
+  } else {
+    row("largest compression", fmt::format("{:.2f} %, 95th percentile {:.2f} %",
+                                           100.0 * summary.compression_max, 100.0 * summary.compression_p95));
+    row("penetrations, lost", fmt::format("{}, {}", summary.penetrations, summary.lost_particles));
+  }
   row("peak memory", fmt::format("{:.0f} MB", static_cast<double>(summary.peak_rss_bytes) / 1e6));
   row("output", files.folder.string());
   if (summary.frames_written + summary.frames_dropped == 0) return;

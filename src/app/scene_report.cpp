@@ -73,26 +73,48 @@ void add_tables(Report& report, const Scene& scene, const OutputCounts& counts) 
                                    counts.probe_times));
 }
 
+void add_particles(Report& report, const Scene& scene, const SimulationPlan& plan) {
+  report.row("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.particle_spacing,
+                                    scene.smoothing_length()));
+  report.row("particles", fmt::format("{} fluid, {} object, {} virtual (not stored), {} ghost at t = 0",
+                                      plan.fluid_particles, plan.object_particles, plan.virtual_particles,
+                                      plan.ghost_particles));
+}
+
+void add_cells(Report& report, const Scene& scene, const SimulationPlan& plan) {
+  report.row("scheme", fmt::format("shallow water, Courant number {:g}, Manning coefficient {:g} s m^(-1/3)",
+                                   scene.shallow_water.courant, scene.shallow_water.manning));
+  report.row("cells", fmt::format("{} of {:g} m, {} of them on solids, {} wet at t = 0", plan.fluid_particles,
+                                  plan.cell_size, plan.object_particles, plan.wet_cells));
+  report.row("water", fmt::format("{:.6g} {}", plan.water_volume, scene.dimension == 2 ? "m^2" : "m^3"));
+}
+
 }  // namespace
 
 std::string scene_report(const Scene& scene, const SimulationPlan& plan, std::uint64_t available_memory) {
   Report report;
   report.row("scene", fmt::format("{} ({}), {}D, {:g} s", scene.name, scene.source_file, scene.dimension,
                                   scene.end_time));
-  report.row("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.particle_spacing,
-                                    scene.smoothing_length()));
-  report.row("particles", fmt::format("{} fluid, {} object, {} virtual (not stored), {} ghost at t = 0",
-                                      plan.fluid_particles, plan.object_particles, plan.virtual_particles,
-                                      plan.ghost_particles));
+  const bool cells = scene.scheme.name == "shallow_water";
+  if (cells) {
+    add_cells(report, scene, plan);
+  } else {
+    add_particles(report, scene, plan);
+  }
   report.row("memory", fmt::format("{} of solver state, {} available",
                                    megabytes(static_cast<double>(plan.estimated_bytes)),
                                    megabytes(static_cast<double>(available_memory))));
   report.row("time step",
              fmt::format("{:.4g} s at t = 0, about {} steps", plan.time_step, plan.estimated_steps));
-  report.row("speed of sound",
-             fmt::format("{:.3g} m/s effective, Mach number {:.2g} at the speed expected, {:.3g} m/s",
-                         plan.effective_sound_speed, scene.reference_speed() / plan.effective_sound_speed,
-                         scene.reference_speed()));
+  if (cells) {
+    report.row("long waves", fmt::format("{:.3g} m/s in water as deep as the reference depth, {:g} m",
+                                         plan.effective_sound_speed, scene.reference_depth));
+  } else {
+    report.row("speed of sound",
+               fmt::format("{:.3g} m/s effective, Mach number {:.2g} at the speed expected, {:.3g} m/s",
+                           plan.effective_sound_speed, scene.reference_speed() / plan.effective_sound_speed,
+                           scene.reference_speed()));
+  }
 
   const OutputCounts counts = OutputPlan(scene, true).counts(scene.end_time);
   add_frames(report, scene, counts);

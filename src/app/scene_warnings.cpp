@@ -67,9 +67,49 @@ void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
+void warn_of_lost_volume(std::vector<std::string>& warnings, const Scene& scene, double filled,
+                         const char* holders, const char* unit_of_length) {
+  const double wanted = fluid_volume(scene);
+  if (!(wanted > 0.0) || std::abs(filled - wanted) <= kVolumeTolerance * wanted) return;
+  const char* unit = scene.dimension == 2 ? "m^2" : "m^3";
+  warnings.push_back(
+      fmt::format("the {} hold {:.4g} {} of water, the regions {:.4g} {}: {:+.2g} %; lengths that are "
+                  "multiples of the {} avoid that",
+                  holders, filled, unit, wanted, unit, 100.0 * (filled / wanted - 1.0), unit_of_length));
+}
+
+/// Cells on solids are full height from the floor up, and none in a solid that no cell centre lies in.
+std::vector<std::string> shallow_water_warnings(const Scene& scene, const SimulationPlan& plan) {
+  std::vector<std::string> warnings;
+  const auto check = [&](const char* sort, const std::string& name, const Shape& shape) {
+    Vec3d lower;
+    Vec3d upper;
+    shape.bounds(lower, upper);
+    const double base = lower.z() - scene.domain_min.z();
+    if (shape.kind != ShapeKind::Sphere && base > 1e-6 * plan.cell_size) {
+      warnings.push_back(fmt::format(
+          "{} \"{}\" begins {:g} m above the floor: it is taken as standing on it, no water passes below",
+          sort, name, base));
+    }
+    const Vec3d size = upper - lower;
+    const double thin = scene.dimension == 2 ? size.x() : std::min(size.x(), size.y());
+    if (thin < plan.cell_size * (1.0 - 1e-9)) {
+      warnings.push_back(fmt::format(
+          "{} \"{}\" is {:g} m thin, less than a cell ({:g} m): it may lie between the cell centres and "
+          "have no effect",
+          sort, name, thin, plan.cell_size));
+    }
+  };
+  for (const Obstacle& obstacle : scene.obstacles) check("obstacle", obstacle.name, obstacle.shape);
+  for (const Gate& gate : scene.gates) check("gate", gate.name, gate.shape);
+  warn_of_lost_volume(warnings, scene, plan.water_volume, "cells", "cell size");
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan& plan) {
+  if (scene.scheme.name == "shallow_water") return shallow_water_warnings(scene, plan);
   std::vector<std::string> warnings;
   for (const Obstacle& obstacle : scene.obstacles) {
     warn_of_thin_solid(warnings, scene, "obstacle", obstacle.name, obstacle.shape);
@@ -77,16 +117,9 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
   for (const Gate& gate : scene.gates) warn_of_thin_solid(warnings, scene, "gate", gate.name, gate.shape);
   warn_of_time_step(warnings, scene, plan);
 
-  const double wanted = fluid_volume(scene);
   const double filled =
       static_cast<double>(plan.fluid_particles) * std::pow(scene.particle_spacing, scene.dimension);
-  if (wanted > 0.0 && std::abs(filled - wanted) > kVolumeTolerance * wanted) {
-    const char* unit = scene.dimension == 2 ? "m^2" : "m^3";
-    warnings.push_back(
-        fmt::format("the particles hold {:.4g} {} of water, the regions {:.4g} {}: {:+.2g} %; lengths "
-                    "that are multiples of the particle spacing avoid that",
-                    filled, unit, wanted, unit, 100.0 * (filled / wanted - 1.0)));
-  }
+  warn_of_lost_volume(warnings, scene, filled, "particles", "particle spacing");
   return warnings;
 }
 

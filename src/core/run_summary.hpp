@@ -9,6 +9,7 @@ namespace eisph {
 /// Figures of a finished (or stopped) run: the top level of run.json, by the same names.
 struct RunSummary {
   std::string scene;
+  std::string scheme = "eisph";     ///< of "shallow_water" the particles are cells
   std::string status = "finished";  ///< finished, interrupted or blown_up
   std::string message;              ///< of a blow-up
   int dimension = 3;
@@ -30,6 +31,7 @@ struct RunSummary {
   std::uint64_t penetrations = 0;  ///< counted before any safety clamp
   std::uint64_t lost_particles = 0;
   std::uint64_t outflow_particles = 0;  ///< taken out through open faces
+  double outflow_volume = 0.0;          ///< m^3 (m^2 in 2D), likewise, of shallow water
   double compression_max = 0.0;         ///< largest number density - 1 over the run
   double compression_p95 = 0.0;         ///< 95th percentile over the fluid, largest over the run
   double energy_initial = 0.0;          ///< J (J/m in 2D), potential + kinetic

@@ -109,6 +109,23 @@ struct SchemeSettings {
   bool operator==(const SchemeSettings&) const = default;
 };
 
+/// Slope limiter of the shallow-water scheme.
+enum class SlopeLimiter {
+  Minmod,
+  MonotonisedCentral,
+};
+
+/// The scheme "shallow_water".
+struct ShallowWaterSettings {
+  double cell_size = 0.0;   ///< m; zero: the particle spacing
+  double courant = 0.9;     ///< dt times the sum over the axes of (|u| + sqrt(g h)), over the cell size
+  double manning = 0.007;   ///< s m^(-1/3), of the floor and of the tops of solids
+  double dry_depth = 1e-6;  ///< m; shallower water does not move of its own
+  SlopeLimiter limiter = SlopeLimiter::MonotonisedCentral;
+
+  bool operator==(const ShallowWaterSettings&) const = default;
+};
+
 /// How the virtual particles of a wall repel.
 enum class RepulsionForm {
   Even,     ///< by the distance to the wall, along its normal
@@ -212,6 +229,7 @@ struct Scene {
   std::vector<DischargeProbe> discharges;
 
   SchemeSettings scheme;
+  ShallowWaterSettings shallow_water;
   BoundarySettings boundary;
   OutputSettings output;
   std::vector<ImageSettings> images;

@@ -14,15 +14,17 @@ using Json = nlohmann::ordered_json;
 /// Each field under its own name. The binding takes all fields of RunSummary: a field added there does not
 /// compile here until it is written too.
 Json summary_json(const RunSummary& summary) {
-  const auto& [scene, status, message, dimension, fluid_particles, object_particles, ghost_particles_max,
-               threads, steps, simulated_time, time_step_mean, wall_time_loop, wall_time_initial_pressure,
-               particle_steps_per_second, cpu_time_total, stage_ns_per_particle_step,
-               state_bytes_per_particle, state_bytes_by_array, peak_rss_bytes, penetrations, lost_particles,
-               outflow_particles, compression_max, compression_p95, energy_initial, energy_final,
-               energy_gain_max, mass_error, frames_written, frames_dropped] = summary;
+  const auto& [scene, scheme, status, message, dimension, fluid_particles, object_particles,
+               ghost_particles_max, threads, steps, simulated_time, time_step_mean, wall_time_loop,
+               wall_time_initial_pressure, particle_steps_per_second, cpu_time_total,
+               stage_ns_per_particle_step, state_bytes_per_particle, state_bytes_by_array, peak_rss_bytes,
+               penetrations, lost_particles, outflow_particles, outflow_volume, compression_max,
+               compression_p95, energy_initial, energy_final, energy_gain_max, mass_error, frames_written,
+               frames_dropped] = summary;
   Json json;
 #define EISPH_PUT(name) json[#name] = name  // NOLINT(cppcoreguidelines-macro-usage)
   EISPH_PUT(scene);
+  EISPH_PUT(scheme);
   EISPH_PUT(status);
   EISPH_PUT(message);
   EISPH_PUT(dimension);
@@ -44,6 +46,7 @@ Json summary_json(const RunSummary& summary) {
   EISPH_PUT(penetrations);
   EISPH_PUT(lost_particles);
   EISPH_PUT(outflow_particles);
+  EISPH_PUT(outflow_volume);
   EISPH_PUT(compression_max);
   EISPH_PUT(compression_p95);
   EISPH_PUT(energy_initial);

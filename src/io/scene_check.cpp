@@ -4,6 +4,7 @@
 #include "io/schema_value.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -85,6 +86,29 @@ void check_times(const Scene& scene, const SceneSource& source) {
   }
 }
 
+/// What the depth-averaged equations need.
+void check_shallow_water(const Scene& scene, const SceneSource& source) {
+  if (scene.scheme.name != "shallow_water") return;
+  if (scene.gravity.x() != 0.0 || scene.gravity.y() != 0.0 || scene.gravity.z() >= 0.0) {
+    source.fail("gravity", write_vector(scene.gravity, scene.dimension),
+                "expected an acceleration straight down with scheme.name = \"shallow_water\"");
+  }
+  if (scene.faces[kZMin].kind == FaceKind::Open) {
+    source.fail("domain.faces.z_min", "shallow water needs a floor; expected a wall");
+  }
+  const double side = scene.shallow_water.cell_size;
+  for (int axis = 0; axis < scene.dimension - 1; ++axis) {
+    const double length = scene.domain_max[axis] - scene.domain_min[axis];
+    const double cells = std::round(length / side);
+    if (cells >= 1.0 && std::abs(length - cells * side) <= 1e-6 * length) continue;
+    source.fail("shallow_water.cell_size", write_number(side),
+                fmt::format("the domain is {:.9g} m long in {}; expected a size of which that is a multiple, "
+                            "for example {:.6g} or {:.6g}",
+                            length, "xyz"[axis], length / (std::floor(length / side) + 1.0),
+                            length / std::max(1.0, std::floor(length / side))));
+  }
+}
+
 void check_camera(const Camera& camera, const std::string& path, const SceneSource& source) {
   const Vec3d view = camera.target - camera.eye;
   if (view.norm() == 0.0) {
@@ -139,6 +163,7 @@ void check_settings(const Scene& scene, const SceneSource& source) {
   check_names(scene, source);
   check_gates(scene, source);
   check_times(scene, source);
+  check_shallow_water(scene, source);
   check_images(scene, source);
 }
 

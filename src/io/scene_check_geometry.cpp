@@ -13,9 +13,10 @@ namespace eisph {
 
 namespace {
 
-constexpr double kBytesPerParticle = 600.0;  ///< solver state of a fluid particle, its neighbours included
-constexpr double kBytesPerCell = 16.0;       ///< search grid and depth grid
-constexpr double kTolerance = 1e-6;          ///< lengths, over the particle spacing
+constexpr double kBytesPerParticle = 600.0;     ///< solver state of a fluid particle, its neighbours included
+constexpr double kBytesPerCell = 16.0;          ///< search grid and depth grid
+constexpr double kBytesPerShallowCell = 250.0;  ///< state and snapshots of a shallow-water run
+constexpr double kTolerance = 1e-6;             ///< lengths, over the particle spacing
 
 constexpr const char* kAxisNames = "xyz";
 
@@ -178,6 +179,19 @@ void check_overlap(const Scene& scene, const SceneSource& source) {
   }
 }
 
+/// Memory of the cells of a shallow-water run.
+void check_cells(const Scene& scene, const SceneSource& source, double available_memory) {
+  if (scene.scheme.name != "shallow_water") return;
+  const Vec3d size = scene.domain_max - scene.domain_min;
+  const double side = scene.shallow_water.cell_size;
+  const double cells = size.x() / side * (scene.dimension == 2 ? 1.0 : size.y() / side);
+  if (kBytesPerShallowCell * cells <= available_memory && cells <= kMaximumFluidParticles) return;
+  source.fail(
+      "shallow_water.cell_size", write_number(side),
+      fmt::format("{:.3g} cells need {:.3g} GB of memory, {:.3g} GB are available; expected larger ones",
+                  cells, kBytesPerShallowCell * cells * 1e-9, available_memory * 1e-9));
+}
+
 }  // namespace
 
 std::vector<int> scene_axes(const Scene& scene) {
@@ -200,6 +214,7 @@ void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t
     check_solid(solids[k], solid_path(scene, source, k), scene, source);
   check_probes(scene, source);
   check_count(scene, source, static_cast<double>(available_memory));
+  check_cells(scene, source, static_cast<double>(available_memory));
   check_overlap(scene, source);
 }
 

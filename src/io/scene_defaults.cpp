@@ -4,6 +4,7 @@
 #include "io/schema_value.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -38,6 +39,20 @@ double water_depth(const Scene& scene) {
     bottom = std::min(bottom, std::max(lower.z(), scene.domain_min.z()));
   }
   return std::max(0.0, top - bottom);
+}
+
+/// The largest size up to the particle spacing of which the domain is a whole number long and wide, or the
+/// spacing if there is none down to half of it.
+double cell_size(const Scene& scene) {
+  const Vec3d size = scene.domain_max - scene.domain_min;
+  const double spacing = scene.particle_spacing;
+  const double fewest = std::max(1.0, std::ceil(size.x() / spacing * (1.0 - 1e-9)));
+  for (double columns = fewest; columns <= 2.0 * fewest; columns += 1.0) {
+    const double side = size.x() / columns;
+    const double rows = size.y() / side;
+    if (scene.dimension == 2 || (rows > 0.5 && std::abs(rows - std::round(rows)) < 1e-6 * rows)) return side;
+  }
+  return spacing;
 }
 
 void complete_schedules(Scene& scene, const SceneSource& source) {
@@ -101,6 +116,7 @@ void complete_scene(Scene& scene, const SceneSource& source) {
   complete_probes(scene);
   if (scene.output.depth_cell_size == 0.0)
     scene.output.depth_cell_size = kCellsPerSpacing * scene.particle_spacing;
+  if (scene.shallow_water.cell_size == 0.0) scene.shallow_water.cell_size = cell_size(scene);
   complete_schedules(scene, source);
   complete_images(scene, source);
 }

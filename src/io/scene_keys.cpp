@@ -108,8 +108,11 @@ KeyTable<std::array<Face, kFaceCount>> faces_keys() {
 
 KeyTable<SchemeSettings> scheme_keys() {
   KeyTable<SchemeSettings> keys;
-  keys.choice<std::string>("name", &SchemeSettings::name, {{"eisph", "eisph"}},
-                           "Explicit incompressible SPH.");
+  keys.choice<std::string>(
+      "name", &SchemeSettings::name, {{"eisph", "eisph"}, {"shallow_water", "shallow_water"}},
+      "Explicit incompressible SPH, or the shallow-water equations on square cells: then "
+      "[shallow_water] applies and the other keys here, [boundary] and all but the "
+      "spacing in [particles] have no effect.");
   keys.choice<Stepping>(
       "stepping", &SchemeSettings::stepping,
       {{"symplectic", Stepping::Symplectic}, {"thesis", Stepping::Thesis}},
@@ -164,6 +167,24 @@ KeyTable<SchemeSettings> scheme_keys() {
   return keys;
 }
 
+KeyTable<ShallowWaterSettings> shallow_water_keys() {
+  KeyTable<ShallowWaterSettings> keys;
+  keys.number("cell_size", "m", &ShallowWaterSettings::cell_size, above(0.0),
+              "Side of the square cells. The domain must be a whole number of them long and wide.")
+      .fallback("the largest one up to dx that fits the domain");
+  keys.number("courant", "", &ShallowWaterSettings::courant, above_to(0.0, 1.0),
+              "Time step over the cell size, times the largest sum over the axes of |u| + sqrt(g h).");
+  keys.number("manning", "s m^(-1/3)", &ShallowWaterSettings::manning, at_least(0.0),
+              "Manning coefficient n of the bed; 0: no friction. Walls are without friction.");
+  keys.number("dry_depth", "m", &ShallowWaterSettings::dry_depth, above(0.0),
+              "Shallower water counts as dry: it has no velocity.");
+  keys.choice<SlopeLimiter>(
+      "limiter", &ShallowWaterSettings::limiter,
+      {{"minmod", SlopeLimiter::Minmod}, {"monotonised_central", SlopeLimiter::MonotonisedCentral}},
+      "Limiter of the slopes; minmod is the smoother one.");
+  return keys;
+}
+
 KeyTable<BoundarySettings> boundary_keys() {
   KeyTable<BoundarySettings> keys;
   keys.boolean("ghost_particles", &BoundarySettings::ghost_particles,
@@ -214,6 +235,8 @@ KeyTable<Scene> scene_keys() {
   keys.list("discharge", &Scene::discharges, discharge_keys(),
             "Volume that passes a plane, positive along its axis.");
   keys.section("scheme", &Scene::scheme, scheme_keys(), "Time stepping and pressure.");
+  keys.section("shallow_water", &Scene::shallow_water, shallow_water_keys(),
+               "Cells and bed, with scheme.name = \"shallow_water\".");
   keys.section("boundary", &Scene::boundary, boundary_keys(), "Treatment of walls and solids.");
   keys.section("output", &Scene::output, output_keys(), "What is written when.");
   keys.list("image", &Scene::images, image_keys(),

@@ -21,6 +21,7 @@ namespace eisph {
 [[nodiscard]] KeyTable<ForceProbe> force_keys();
 [[nodiscard]] KeyTable<DischargeProbe> discharge_keys();
 [[nodiscard]] KeyTable<SchemeSettings> scheme_keys();
+[[nodiscard]] KeyTable<ShallowWaterSettings> shallow_water_keys();
 [[nodiscard]] KeyTable<BoundarySettings> boundary_keys();
 [[nodiscard]] KeyTable<OutputSettings> output_keys();
 [[nodiscard]] KeyTable<ImageSettings> image_keys();

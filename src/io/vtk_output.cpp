@@ -69,6 +69,46 @@ std::vector<Value> take_point_array(const std::filesystem::path& path, vtkPolyDa
   return values;
 }
 
+/// Columns of a depth-averaged model go with the particles that show them, as field data.
+void put_columns(vtkFieldData* fields, const ColumnField& columns) {
+  put_field(fields, "column_origin_x", columns.origin_x);
+  put_field(fields, "column_origin_y", columns.origin_y);
+  put_field(fields, "column_cell_size", columns.cell_size);
+  put_field(fields, "column_columns", static_cast<std::uint64_t>(columns.columns));
+  put_field(fields, "column_rows", static_cast<std::uint64_t>(columns.rows));
+  const auto put = [&](const char* name, const std::vector<float>& values) {
+    fields->AddArray(borrow_array<vtkFloatArray>(name, values.data(), values.size(), 1));
+  };
+  put("column_bed", columns.bed);
+  put("column_depth", columns.depth);
+  put("column_velocity_x", columns.velocity_x);
+  put("column_velocity_y", columns.velocity_y);
+}
+
+std::shared_ptr<const ColumnField> take_columns(const std::filesystem::path& path, vtkFieldData* fields) {
+  if (fields->GetArray("column_depth") == nullptr) return nullptr;
+  auto columns = std::make_shared<ColumnField>();
+  columns->origin_x = take_double(path, fields, "column_origin_x");
+  columns->origin_y = take_double(path, fields, "column_origin_y");
+  columns->cell_size = take_double(path, fields, "column_cell_size");
+  columns->columns = take_uint64(path, fields, "column_columns");
+  columns->rows = take_uint64(path, fields, "column_rows");
+  const auto cells = static_cast<std::size_t>(fields->GetArray("column_depth")->GetNumberOfTuples());
+  if (columns->rows == 0 || cells % columns->rows != 0 || cells / columns->rows != columns->columns) {
+    throw InputError(fmt::format("{}: array 'column_depth' has {} values, not {} x {}", path.string(), cells,
+                                 columns->columns, columns->rows));
+  }
+  const auto take = [&](const char* name, std::vector<float>& values) {
+    values.resize(cells);
+    take_array<float>(path, name, fields->GetArray(name), values);
+  };
+  take("column_bed", columns->bed);
+  take("column_depth", columns->depth);
+  take("column_velocity_x", columns->velocity_x);
+  take("column_velocity_y", columns->velocity_y);
+  return columns;
+}
+
 }  // namespace
 
 void write_particles(const std::filesystem::path& path, const Snapshot& snapshot) {
@@ -88,6 +128,7 @@ void write_particles(const std::filesystem::path& path, const Snapshot& snapshot
   put_field(fields, "smoothing_length", snapshot.smoothing_length);
   put_field(fields, "particle_mass", snapshot.particle_mass);
   put_field(fields, "reference_density", snapshot.reference_density);
+  if (snapshot.columns) put_columns(fields, *snapshot.columns);
   write_poly_data(path, data);
 }
 
@@ -115,6 +156,7 @@ Snapshot read_particles(const std::filesystem::path& path) {
   snapshot.number_density = take_point_array<float, float>(path, data, "number_density");
   snapshot.id = take_point_array<std::uint32_t, std::uint32_t>(path, data, "id");
   snapshot.objects = std::make_shared<const ObjectParticles>();
+  snapshot.columns = take_columns(path, fields);
   return snapshot;
 }
 

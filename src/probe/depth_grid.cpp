@@ -1,6 +1,7 @@
 #include "probe/depth_grid.hpp"
 
 #include "core/error.hpp"
+#include "probe/column_probes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,10 @@ DepthGridBuilder::DepthGridBuilder(const Scene& scene)
 DepthGrid DepthGridBuilder::build(const Snapshot& snapshot) const {
   DepthGrid grid = empty_;
   grid.time = snapshot.time;
+  if (snapshot.columns) {
+    resample_levels(*snapshot.columns, grid);
+    return grid;
+  }
   if (surface_) {
     surface_->fill(snapshot, grid);
     return grid;

@@ -1,5 +1,6 @@
 #include "probe/discharge.hpp"
 
+#include "probe/column_probes.hpp"
 #include "probe/kernel.hpp"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ double share_in_band(const Band& band, const Vec3d& position, const Scene& scene
 }  // namespace
 
 double discharge(const DischargeProbe& probe, const Scene& scene, const Snapshot& snapshot) {
+  if (snapshot.columns) return column_discharge(probe, *snapshot.columns, scene);
   const double width = kWidth * scene.particle_spacing;
   const int axis = probe.axis;
   double sum = 0.0;

@@ -1,5 +1,6 @@
 #include "probe/fluid_field.hpp"
 
+#include "probe/column_probes.hpp"
 #include "probe/kernel.hpp"
 
 #include <algorithm>
@@ -93,6 +94,12 @@ struct LinearFit {
   }
 };
 
+/// Those of a snapshot with columns are for drawing only.
+const Snapshot& particles_of(const Snapshot& snapshot) {
+  static const Snapshot kNone;
+  return snapshot.columns ? kNone : snapshot;
+}
+
 }  // namespace
 
 std::vector<StandingSolid> standing_solids(const Scene& scene, double time) {
@@ -113,9 +120,10 @@ FluidField::FluidField(const Scene& scene, const Snapshot& snapshot)
     : scene_(&scene),
       snapshot_(&snapshot),
       solids_(standing_solids(scene, snapshot.time)),
-      cells_(snapshot, 2.0 * snapshot.smoothing_length) {}
+      cells_(particles_of(snapshot), 2.0 * snapshot.smoothing_length) {}
 
 PointSample FluidField::sample_at(const Vec3d& point) const {
+  if (snapshot_->columns) return sample_column(point, *snapshot_->columns, *scene_);
   ShepardSum sum(point, *snapshot_);
   cells_.visit_near(point, 2.0 * snapshot_->smoothing_length,
                     [&](std::size_t k, const Vec3f&) { sum.add(k); });
@@ -143,6 +151,7 @@ bool FluidField::is_in_domain(const Vec3d& point) const {
 }
 
 double FluidField::water_fraction(const Vec3d& point) const {
+  if (snapshot_->columns) return sample_column(point, *snapshot_->columns, *scene_).wet ? 1.0 : 0.0;
   const double dx = snapshot_->particle_spacing;
   const double reach = 2.0 * dx;
   const bool flat = snapshot_->dimension == 2;
@@ -174,6 +183,7 @@ double FluidField::water_fraction(const Vec3d& point) const {
 }
 
 std::optional<double> FluidField::wall_pressure(const Vec3d& point, const Vec3d& normal) const {
+  if (snapshot_->columns) return column_wall_pressure(point, normal, *snapshot_->columns, *scene_);
   if (!is_wet(point)) return std::nullopt;
   const double h = snapshot_->smoothing_length;
   // Water behind a thin wall has no say.

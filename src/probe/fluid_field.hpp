@@ -21,7 +21,8 @@ struct StandingSolid {
 [[nodiscard]] std::vector<StandingSolid> standing_solids(const Scene& scene, double time);
 
 /// The water of one snapshot as a continuum: what probes that look at more than single particles ask. Sorts
-/// the particles once when it is made. Keeps references to scene and snapshot.
+/// the particles once when it is made. Keeps references to scene and snapshot. A snapshot with columns is
+/// seen through them: a point is wet or dry, and pressure is hydrostatic (probe/column_probes.hpp).
 class FluidField {
  public:
   FluidField(const Scene& scene, const Snapshot& snapshot);

@@ -1,5 +1,7 @@
 #include "probe/gauge.hpp"
 
+#include "probe/column_probes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -28,6 +30,7 @@ double bisect(double wet, double dry, double accuracy, const IsWet& is_wet) {
 }  // namespace
 
 double water_level(const Gauge& gauge, const Scene& scene, const Snapshot& snapshot) {
+  if (snapshot.columns) return column_level(*snapshot.columns, gauge.x, gauge.y);
   const double side = gauge.size > 0.0 ? gauge.size : 1.5 * scene.particle_spacing;
   const double half_side = (0.5 + kEdgeTolerance) * side;
   const double floor = scene.domain_min.z();
@@ -45,6 +48,7 @@ double water_level(const Gauge& gauge, const Scene& scene, const Snapshot& snaps
 }
 
 double surface_level(const Gauge& gauge, const FluidField& field) {
+  if (field.snapshot().columns) return column_level(*field.snapshot().columns, gauge.x, gauge.y);
   const Scene& scene = field.scene();
   const double floor = scene.domain_min.z();
   const double height = gauge.height > 0.0 ? gauge.height : scene.domain_max.z() - floor;

@@ -1,5 +1,6 @@
 #include "probe/instrument.hpp"
 
+#include "probe/column_probes.hpp"
 #include "probe/discharge.hpp"
 #include "probe/force.hpp"
 #include "probe/front.hpp"
@@ -41,7 +42,11 @@ Recorder recorder(const PointProbe& probe, const Scene& scene, TableSink& sink) 
   const std::size_t table = sink.open_table(header);
   return [=, &sink](Observation& seen) {
     std::vector<double> row{seen.snapshot().time};
-    add_sample(row, sample_at(probe.position, seen.snapshot()), seen.scene().dimension);
+    const auto& columns = seen.snapshot().columns;
+    add_sample(row,
+               columns ? sample_column(probe.position, *columns, seen.scene())
+                       : sample_at(probe.position, seen.snapshot()),
+               seen.scene().dimension);
     sink.append_row(table, row);
   };
 }
@@ -59,7 +64,9 @@ Recorder recorder(const FrontProbe& probe, const Scene&, TableSink& sink) {
   const std::size_t table =
       sink.open_table({"front_" + probe.name, {time_column(), {"front", "m"}, {"bulk_front", "m"}}});
   return [=, &sink](Observation& seen) {
-    const LeadingEdge edge = front_position(probe, seen.snapshot());
+    const auto& columns = seen.snapshot().columns;
+    const LeadingEdge edge =
+        columns ? column_front(probe, *columns, seen.scene()) : front_position(probe, seen.snapshot());
     sink.append_row(table, std::array{seen.snapshot().time, edge.front, edge.bulk_front});
   };
 }

@@ -1,5 +1,7 @@
 #include "probe/ledger.hpp"
 
+#include "probe/column_probes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -26,6 +28,7 @@ void take_compression(const Snapshot& snapshot, LedgerEntry& entry) {
 }  // namespace
 
 LedgerEntry take_ledger(const Snapshot& snapshot, const Scene& scene) {
+  if (snapshot.columns) return column_ledger(*snapshot.columns, scene);
   Vec3d position_sum = Vec3d::Zero();
   Vec3d velocity_sum = Vec3d::Zero();
   double speed_squared_sum = 0.0;

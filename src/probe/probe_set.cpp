@@ -1,5 +1,6 @@
 #include "probe/probe_set.hpp"
 
+#include "probe/column_probes.hpp"
 #include "probe/leading_edge.hpp"
 #include "probe/ledger.hpp"
 
@@ -54,13 +55,14 @@ void ProbeSet::record(const Snapshot& snapshot) {
 
 void ProbeSet::record_ledger(const Snapshot& snapshot) {
   const LedgerEntry entry = take_ledger(snapshot, scene_);
-  std::vector<double> row{snapshot.time,
-                          static_cast<double>(snapshot.step),
-                          static_cast<double>(snapshot.size()),
-                          entry.mass,
-                          entry.volume,
-                          entry.kinetic_energy,
-                          entry.potential_energy};
+  std::vector<double> row{
+      snapshot.time,
+      static_cast<double>(snapshot.step),
+      static_cast<double>(snapshot.columns ? wet_columns(*snapshot.columns) : snapshot.size()),
+      entry.mass,
+      entry.volume,
+      entry.kinetic_energy,
+      entry.potential_energy};
   add_vector(row, entry.momentum, scene_.dimension);
   row.insert(row.end(),
              {entry.compression_max, entry.compression_p95, entry.penetrations, entry.lost_particles});

@@ -19,12 +19,18 @@ struct SimulationPlan {
   double effective_sound_speed = 0.0;   ///< m/s, of one sweep with persistent pressure
   std::uint64_t estimated_steps = 0;    ///< to the end time
   std::uint64_t estimated_bytes = 0;    ///< solver state
+
+  // Of shallow water, where fluid_particles counts all cells, object_particles those on solids, and the speed
+  // of sound is that of long waves, sqrt(g H).
+  std::uint64_t wet_cells = 0;  ///< at t = 0
+  double cell_size = 0.0;       ///< m; zero for particles
+  double water_volume = 0.0;    ///< m^3 (m^2 in 2D) at t = 0
 };
 
 /// A running simulation, of either dimension. Used by one thread; starts `threads - 1` workers of its own.
 class Simulation {
  public:
-  /// Places the particles. Throws InputError when the scene cannot be simulated.
+  /// Places the particles, or fills the cells. Throws InputError when the scene cannot be simulated.
   static std::unique_ptr<Simulation> create(const Scene& scene, int threads);
   virtual ~Simulation() = default;
 
@@ -38,7 +44,10 @@ class Simulation {
   [[nodiscard]] virtual double time() const = 0;       ///< s
   [[nodiscard]] virtual double time_step() const = 0;  ///< s, of the last step
   [[nodiscard]] virtual std::uint64_t steps() const = 0;
+  /// Particles in the domain; of shallow water the cells.
   [[nodiscard]] virtual std::uint64_t fluid_particles() const = 0;
+  /// What fluid_particles counts.
+  [[nodiscard]] virtual const char* carriers() const { return "particles"; }
   /// The present state, positions brought to time().
   [[nodiscard]] virtual std::shared_ptr<const Snapshot> snapshot() const = 0;
   /// Figures known to the solver: counts, stage times, memory, compression, energy, penetrations. The wall
