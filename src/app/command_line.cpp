@@ -24,6 +24,7 @@ struct CommandLine {
   RunOptions run;
   CheckOptions check;
   RenderOptions render;
+  ValidateOptions validate;
   bool schema = false;
   std::function<int()> command;
 };
@@ -91,6 +92,26 @@ void add_render(CLI::App& app, CommandLine& line) {
   command->callback([&line] { line.command = [&line] { return render_command(line.render, std::cout); }; });
 }
 
+void add_validate(CLI::App& app, CommandLine& line) {
+  CLI::App* command =
+      app.add_subcommand("validate", "Run cases with known results and report how far off they are");
+  command->add_option("CASE", line.validate.cases, "Cases; all of the mode without any")->type_name("NAME");
+  CLI::Option* full = command->add_flag("--full", line.validate.full,
+                                        "Published resolutions and durations: takes an hour or two");
+  command->add_flag("--quick", line.validate.quick, "Short runs, some minutes in all; the default")
+      ->excludes(full);
+  command->add_flag("--list", line.validate.list, "List the cases");
+  command->add_option("--out", line.validate.out, "Folder of the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--against", line.validate.against, "Folder of an earlier report, to compare with")
+      ->type_name("DIR");
+  add_threads(*command, line.validate.threads);
+  command->add_flag("--quiet", line.validate.quiet, "Print nothing but errors");
+  command->callback(
+      [&line] { line.command = [&line] { return validate_command(line.validate, std::cout, std::cerr); }; });
+}
+
 /// Fills `line`; the exit code where there is nothing to run (help, version, an error).
 std::optional<int> parse(CLI::App& app, int argc, const char* const* argv) {
   try {
@@ -113,10 +134,12 @@ int run_program(int argc, const char* const* argv) {
     app.set_version_flag("--version", software_name());
     app.require_subcommand(1);
     app.footer(
-        "Units are SI throughout. Exit codes: 0 done, 1 failure, 2 bad input, 3 blow-up, 130 interrupted.");
+        "Units are SI throughout. Exit codes: 0 done, 1 failure, 2 bad input, 3 blow-up, 4 limits of a "
+        "validation missed, 130 interrupted.");
     add_run(app, line);
     add_check(app, line);
     add_render(app, line);
+    add_validate(app, line);
     if (const auto code = parse(app, argc, argv)) return *code;
     limit_software_renderer_threads();  // before any command starts threads
     return line.command();

@@ -45,4 +45,19 @@ struct RenderOptions {
 /// Draws frames from the saved states of a run.
 [[nodiscard]] int render_command(const RenderOptions& options, std::ostream& out);
 
+struct ValidateOptions {
+  std::vector<std::string> cases;  ///< names; empty: all of the mode
+  bool quick = false;              ///< short runs; the default
+  bool full = false;               ///< published resolutions and durations
+  bool list = false;               ///< only tell what cases there are
+  std::filesystem::path out = std::filesystem::path("out") / "validate";
+  std::optional<std::filesystem::path> against;  ///< folder of an earlier report
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// Runs cases, compares them with theory and measurement and writes report.html and report.json. Returns the
+/// exit code: kLimitsMissed if a limit does not hold.
+[[nodiscard]] int validate_command(const ValidateOptions& options, std::ostream& out, std::ostream& progress);
+
 }  // namespace eisph

@@ -60,18 +60,20 @@ ProgressState progress_state(const Simulation& simulation, double end_time, cons
 }
 
 LoopHooks make_hooks(const Simulation& simulation, Pipeline& pipeline, ProgressReporter& progress,
-                     spdlog::logger& log, double end_time, const std::function<bool()>& stop_requested) {
-  const auto publish = [&pipeline, &log](const Publication& publication) {
+                     spdlog::logger& log, const InSituSettings& settings,
+                     const std::function<bool()>& stop_requested) {
+  const auto publish = [&pipeline, &log, &settings](const Publication& publication) {
     const DueOutputs& due = publication.due;
     const Snapshot& snapshot = *publication.snapshot;
     if (due.particles || due.depth || !due.frames.empty()) {
       log.info("output at t = {:.6g} s, step {}, time step {:.3g} s", snapshot.time, snapshot.step,
                snapshot.time_step);
     }
+    if (settings.observer) settings.observer(publication.snapshot);
     pipeline.publish(publication);
   };
-  const auto after_step = [&simulation, &pipeline, &progress, end_time, watch = Stopwatch()] {
-    progress.update(progress_state(simulation, end_time, watch));
+  const auto after_step = [&simulation, &pipeline, &progress, &settings, watch = Stopwatch()] {
+    progress.update(progress_state(simulation, settings.end_time, watch));
     pipeline.check();
   };
   return {publish, after_step, stop_requested};
@@ -104,8 +106,7 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
     simulation.initialise();
     log.info("pressure at t = 0 found in {:.2f} s", simulation.summary().wall_time_initial_pressure);
     watch = Stopwatch();
-    const LoopHooks hooks =
-        make_hooks(simulation, pipeline, progress, log, settings.end_time, stop_requested);
+    const LoopHooks hooks = make_hooks(simulation, pipeline, progress, log, settings, stop_requested);
     if (run_time_loop(simulation, plan, settings.end_time, hooks) == LoopEnd::Interrupted)
       status = "interrupted";
   } catch (const BlowUpError& error) {

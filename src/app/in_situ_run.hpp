@@ -7,6 +7,7 @@
 #include "scheme/simulation.hpp"
 
 #include <functional>
+#include <memory>
 
 #include <spdlog/logger.h>
 
@@ -15,6 +16,8 @@ namespace eisph {
 struct InSituSettings {
   double end_time = 0.0;  ///< s
   bool frames = true;
+  /// Is handed every published state, on the thread of the simulation; may be empty.
+  std::function<void(const std::shared_ptr<const Snapshot>&)> observer = {};
 };
 
 /// Runs a simulation with everything beside it: records and frames go to the folder of the run, which has to

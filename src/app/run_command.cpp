@@ -1,24 +1,15 @@
-#include "app/build_info.hpp"
 #include "app/commands.hpp"
-#include "app/in_situ_run.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress.hpp"
 #include "app/run_files.hpp"
+#include "app/scene_run.hpp"
 #include "core/error.hpp"
-#include "io/file_io.hpp"
-#include "io/host.hpp"
-#include "io/run_json.hpp"
 #include "io/scene_file.hpp"
 
-#include <chrono>
-#include <exception>
-#include <memory>
 #include <ostream>
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <spdlog/logger.h>
-#include <spdlog/sinks/basic_file_sink.h>
 
 namespace eisph {
 namespace {
@@ -29,35 +20,6 @@ double end_time_of(const Scene& scene, const RunOptions& options) {
   throw InputError(
       fmt::format("--until {}: the time has to be above 0 and at most the scene's end time, {} s",
                   *options.until, scene.end_time));
-}
-
-std::shared_ptr<spdlog::logger> make_log(const RunFiles& files) {
-  auto log = std::make_shared<spdlog::logger>(
-      "run", std::make_shared<spdlog::sinks::basic_file_sink_mt>(files.log().string(), true));
-  log->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
-  log->flush_on(spdlog::level::info);
-  return log;
-}
-
-void log_start(spdlog::logger& log, const Scene& scene, const SimulationPlan& plan, int threads) {
-  log.info("{}, scene {} ({}), {} threads", software_name(), scene.name, scene.source_file, threads);
-  if (scene.scheme.name == "shallow_water") {
-    log.info("shallow water, {} cells of {:g} m, {} wet; time step {:.4g} s, about {} steps",
-             plan.fluid_particles, plan.cell_size, plan.wet_cells, plan.time_step, plan.estimated_steps);
-    return;
-  }
-  log.info("{} fluid, {} object, {} virtual, {} ghost particles; time step {:.4g} s, about {} steps",
-           plan.fluid_particles, plan.object_particles, plan.virtual_particles, plan.ghost_particles,
-           plan.time_step, plan.estimated_steps);
-}
-
-void log_end(spdlog::logger& log, const RunSummary& summary) {
-  if (summary.status == "blown_up") log.error("{}", summary.message);
-  log.info(
-      "{} at t = {:.6g} s after {} steps and {:.2f} s, {:.4g} particle-steps/s, {} frames written, {} "
-      "dropped",
-      summary.status, summary.simulated_time, summary.steps, summary.wall_time_loop,
-      summary.particle_steps_per_second, summary.frames_written, summary.frames_dropped);
 }
 
 void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles& files) {
@@ -103,27 +65,9 @@ int run_command(const RunOptions& options, std::ostream& out, std::ostream& prog
   const double end_time = end_time_of(scene, options);
   const RunFiles files{options.out.value_or(std::filesystem::path("out") / scene.name)};
   check_run_folder(files, scene.name);
-  const auto simulation = Simulation::create(scene, options.threads);
-
-  RunTimes times;
-  times.started = std::chrono::system_clock::now();
-  prepare_run_folder(files);
-  write_file_atomically(files.scene(), resolved_scene_toml(scene));
-  const auto log = make_log(files);
-  log_start(*log, scene, simulation->plan(), options.threads);
   ProgressReporter progress(progress_out, progress_style_of_terminal(options.quiet), terminal_width());
-  RunSummary summary;
-  try {
-    summary = run_in_situ(*simulation, scene, files, {end_time, options.frames}, progress, *log,
-                          [&interrupt] { return interrupt.requested(); });
-    times.finished = std::chrono::system_clock::now();
-    summary.threads = options.threads;
-    write_run_json(files.summary(), summary, build_info(), host_info(), times);
-  } catch (const std::exception& error) {
-    log->error("{}", error.what());
-    throw;
-  }
-  log_end(*log, summary);
+  const RunSummary summary = run_scene(scene, files, {end_time, options.frames}, options.threads, progress,
+                                       [&interrupt] { return interrupt.requested(); });
   if (!options.quiet) print_summary(out, summary, files);
   if (summary.status == "blown_up") throw BlowUpError(summary.message);
   return summary.status == "interrupted" ? kInterrupted : kSuccess;

@@ -7,7 +7,7 @@
 namespace eisph {
 
 /// Exit codes of the program.
-enum ExitCode : int { kSuccess = 0, kFailure = 1, kBadInput = 2, kBlowUp = 3 };
+enum ExitCode : int { kSuccess = 0, kFailure = 1, kBadInput = 2, kBlowUp = 3, kLimitsMissed = 4 };
 
 /// Bad input: a scene, an option or a file that cannot be used. The message names the file, line, key, value
 /// and what is accepted. The program exits with code 2.

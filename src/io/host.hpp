@@ -19,8 +19,11 @@ struct HostInfo {
 /// Reads proc/cpuinfo, proc/meminfo and etc/os-release below `root`.
 [[nodiscard]] HostInfo host_info(const std::filesystem::path& root = "/");
 
-/// Largest resident size of this process so far, bytes.
+/// Largest resident size of this process so far, or since reset_peak_rss(), bytes.
 [[nodiscard]] std::uint64_t peak_rss_bytes();
+
+/// Lets peak_rss_bytes() count from the present size on, where the system can (Linux); else does nothing.
+void reset_peak_rss();
 
 /// Processor time that all threads of this process have used so far, seconds, user and system.
 [[nodiscard]] double cpu_time();

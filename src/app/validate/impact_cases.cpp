@@ -1,0 +1,326 @@
+// Dam breaks that strike a wall or water at rest: Buchner, Lobovsky, Janosi.
+
+#include "app/validate/cases.hpp"
+#include "app/validate/sampling.hpp"
+#include "compare/plot.hpp"
+#include "compare/reference_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr double kDensity = 1000.0;
+
+/// A sensor's pressure over rho g H, over t sqrt(g / H).
+Curve dimensionless_pressure(const ValidationRun& run, const std::string& sensor, double depth) {
+  return run.table("pressure_sensor_" + sensor)
+      .curve("time", "pressure", std::sqrt(kGravity / depth), 1.0 / (kDensity * kGravity * depth));
+}
+
+Plot pressure_plot(const std::string& title) {
+  return {.title = title, .x_label = "t sqrt(g / H) [-]", .y_label = "p / (rho g H) [-]", .series = {}};
+}
+
+}  // namespace
+
+namespace {
+
+constexpr double kBuchnerDepth = 0.6;
+
+/// First plateau and second peak at P1, and how noisy the record is.
+void judge_buchner(CaseReport& report, const Curve& pressure, const Curve& measured) {
+  const double plateau = mean_value(pressure, 3.2, 4.8);
+  const double measured_plateau = mean_value(measured, 3.2, 4.8);
+  add_within(
+      report, "plateau at P1", 100.0 * (plateau / measured_plateau - 1.0), -15.0, 15.0, "%",
+      fmt::format("mean from t sqrt(g / H) = 3.2 to 4.8 against {:.3f} rho g H measured", measured_plateau));
+  const CurvePoint second = highest_point(restricted(pressure, 5.2, 7.2));
+  add_within(report, "second peak at P1", second.y / plateau, 1.15, 10.0, "plateaus",
+             fmt::format("highest from 5.2 to 7.2, at {:.2f}; measured {:.2f} plateaus at 5.83", second.x,
+                         highest_point(measured).y / measured_plateau));
+  const double five_milliseconds = 0.005 * std::sqrt(kGravity / kBuchnerDepth);
+  add_information(report, "noise at P1", 100.0 * noise(restricted(pressure, 2.6, 5.0), five_milliseconds),
+                  "% of rho g H", "RMS about the 5 ms moving average, from 2.6 to 5.0");
+  const double level = 0.3;
+  add_within(report, "arrival at P1",
+             100.0 * (first_rise_to(pressure, level) / first_rise_to(measured, level) - 1.0), -5.0, 5.0, "%",
+             "time at which 0.3 rho g H is passed; t = 0 is the release, which took time in the experiment");
+}
+
+}  // namespace
+
+void validate_buchner(Validator& validator, CaseReport& report) {
+  const ReferenceTable p1 = reference_table("buchner_p1");
+  const ReferenceTable p2 = reference_table("buchner_p2");
+  const std::string spacing = validator.pick("particles.spacing=0.006", "particles.spacing=0.01");
+  report.source = p1.citation;
+  report.description = fmt::format(
+      "A column of 1.2 x 0.6 m in a tank of 3.22 m, 2D, free slip, {} mm spacing, sensors 90 mm wide.",
+      validator.pick(6, 10));
+  report.comparison = "Wall pressure against the measured one.";
+  const ValidationRun run = validator.run({.scene = "buchner",
+                                           .overrides = {spacing, "end_time=2.0"},
+                                           .states = {0.6, 0.9, 1.2, 1.5, 1.8},
+                                           .frames = true});
+  const Curve measured = p1.curve("scaled_time", "scaled_pressure");
+  const Curve at_p1 = dimensionless_pressure(run, "P1", kBuchnerDepth);
+  judge_buchner(report, at_p1, measured);
+
+  Plot plot = pressure_plot("Pressure at P1");
+  plot.series = {{.label = "EISPH, 160 mm", .curve = at_p1},
+                 {.label = "EISPH, 140 mm", .curve = dimensionless_pressure(run, "P1_140", kBuchnerDepth)},
+                 {.label = "EISPH, 114 mm", .curve = dimensionless_pressure(run, "P1_114", kBuchnerDepth)},
+                 {.label = "Buchner (2002)", .curve = measured, .style = SeriesStyle::Points, .colour = 0}};
+  plot.y_range = PlotRange{-0.1, 2.0};
+  const auto path = validator.figure_path("P1");
+  write_plot(path, plot);
+  report.figures.push_back(
+      {path, "Pressure on the downstream wall, 160 mm and below (thesis figure 2.14 c)."});
+
+  Plot second = pressure_plot("Pressure at P2");
+  second.series = {{.label = "EISPH, 584 mm", .curve = dimensionless_pressure(run, "P2", kBuchnerDepth)},
+                   {.label = "Buchner (2002)",
+                    .curve = p2.curve("scaled_time", "scaled_pressure"),
+                    .style = SeriesStyle::Points,
+                    .colour = 0}};
+  second.y_range = PlotRange{-0.1, 1.0};
+  const auto second_path = validator.figure_path("P2");
+  write_plot(second_path, second);
+  report.figures.push_back({second_path, "Pressure on the downstream wall, 584 mm (thesis figure 2.14 d)."});
+
+  Plot corner = pressure_plot("Pressure at P0");
+  corner.series = {{.label = "EISPH", .curve = dimensionless_pressure(run, "P0", kBuchnerDepth)}};
+  const auto corner_path = validator.figure_path("P0");
+  write_plot(corner_path, corner);
+  report.figures.push_back(
+      {corner_path, "Pressure in the corner under the reservoir (thesis figure 2.14 b)."});
+  report.figures.push_back(run.frame("impact", 0.9, "Frame at 0.9 s."));
+  report.figures.push_back(run.frame("impact", 1.5, "Frame at 1.5 s."));
+}
+
+namespace {
+
+constexpr double kLobovskyDepth = 0.3;
+
+void judge_levels(Validator& validator, CaseReport& report, const ValidationRun& run) {
+  std::vector<Plot> plots;
+  for (const std::string gauge : {"H1", "H2", "H3", "H4"}) {
+    std::string table = "lobovsky_h300_level_h" + gauge.substr(1);
+    const Curve measured = reference_table(table).curve("scaled_time", "scaled_level");
+    const Curve level =
+        run.table("gauge_" + gauge)
+            .curve("time", "surface", std::sqrt(kGravity / kLobovskyDepth), 1.0 / kLobovskyDepth);
+    // Until the wave thrown back by the wall has passed all four gauges.
+    const CurveDifference difference = curve_difference(level, restricted(measured, 0.0, 10.0));
+    add_at_most(report, "level at " + gauge, 100.0 * difference.rms, 10.0, "% of H",
+                "RMS until 10 sqrt(H / g)");
+    Plot plot{.title = "Level at " + gauge,
+              .x_label = "t sqrt(g / H) [-]",
+              .y_label = "level / H [-]",
+              .series = {{.label = "EISPH", .curve = level},
+                         {.label = "Lobovsky et al. (2014)",
+                          .curve = measured,
+                          .style = SeriesStyle::Points,
+                          .colour = 0}}};
+    plots.push_back(std::move(plot));
+  }
+  const auto path = validator.figure_path("levels");
+  write_plots(path, "Water levels", plots, 2, {1100, 850});
+  report.figures.push_back({path, "Water level at the four gauges."});
+}
+
+void judge_sensors(Validator& validator, CaseReport& report, const ValidationRun& run) {
+  const Curve first = reference_table("lobovsky_h300_pressure_s1").curve("scaled_time", "scaled_pressure");
+  const Curve at_first = dimensionless_pressure(run, "S1", kLobovskyDepth);
+  const double peak = highest_point(first).y;
+  add_within(
+      report, "peak of sensor 1", highest_point(restricted(at_first, 2.0, 4.0)).y, 0.5 * peak, 1.5 * peak,
+      "rho g H",
+      fmt::format("measured {:.2f} in this run; peaks of repeated runs scatter by about a half", peak));
+  const ReferenceTable second = reference_table("lobovsky_h300_pressure_s2_band");
+  const Curve lower = second.curve("scaled_time", "lower_pressure");
+  const Curve upper = second.curve("scaled_time", "upper_pressure");
+  const Curve at_second = dimensionless_pressure(run, "S2", kLobovskyDepth);
+  add_information(report, "sensor 2 inside the measured band",
+                  100.0 * band_share(at_second, lower, upper).inside, "% of the points",
+                  "2.5 to 97.5 % of a hundred runs");
+  add_information(report, "sensor 2 against the median",
+                  100.0 * curve_difference(at_second, second.curve("scaled_time", "median_pressure")).rms,
+                  "% of rho g H", "RMS");
+
+  std::vector<Plot> plots;
+  for (const std::string sensor : {"S1", "S2", "S3", "S4"}) {
+    Plot plot = pressure_plot("Sensor " + sensor);
+    if (sensor == "S2") {
+      plot.series.push_back(
+          {.label = "2.5 to 97.5 % of 100 runs", .curve = lower, .style = SeriesStyle::Band, .upper = upper});
+      plot.series.push_back({.label = "median of 100 runs",
+                             .curve = second.curve("scaled_time", "median_pressure"),
+                             .style = SeriesStyle::Line,
+                             .colour = 0});
+    } else {
+      plot.series.push_back({.label = "Lobovsky et al. (2014), one run",
+                             .curve = reference_table("lobovsky_h300_pressure_s" + sensor.substr(1))
+                                          .curve("scaled_time", "scaled_pressure"),
+                             .style = SeriesStyle::Points,
+                             .colour = 0});
+    }
+    plot.series.push_back(
+        {.label = "EISPH", .curve = dimensionless_pressure(run, sensor, kLobovskyDepth), .colour = 1});
+    plot.x_range = PlotRange{2.0, 7.2};
+    plot.y_range = PlotRange{-0.2, sensor == "S1" ? 4.0 : 3.0};
+    plots.push_back(std::move(plot));
+  }
+  const auto path = validator.figure_path("pressures");
+  write_plots(path, "Pressure on the downstream wall", plots, 2, {1100, 850});
+  report.figures.push_back({path, "Pressure at the four sensors."});
+}
+
+/// Time of the front at the wall, by the last measured position.
+void judge_arrival(Validator& validator, CaseReport& report, const ValidationRun& run) {
+  const Curve measured = reference_table("lobovsky_h300_front").curve("scaled_time", "scaled_front");
+  const Curve front = scaled(shifted(run.table("front_front").curve("time", "bulk_front"), 0.0, -0.6),
+                             std::sqrt(kGravity / kLobovskyDepth), 1.0 / kLobovskyDepth);
+  const double last = measured.y.back();
+  add_within(report, "arrival at the wall", 100.0 * (first_rise_to(front, last) / measured.x.back() - 1.0),
+             -5.0, 5.0, "%",
+             fmt::format("time of the front at x = {:.2f} H from the gate, the last one measured", last));
+  add_information(report, "front", 100.0 * curve_difference(front, measured).relative_l2, "%", "relative L2");
+  const auto path = validator.figure_path("front");
+  write_plot(path, {.title = "Front",
+                    .x_label = "t sqrt(g / H) [-]",
+                    .y_label = "x / H from the gate [-]",
+                    .series = {{.label = "EISPH", .curve = front},
+                               {.label = "Lobovsky et al. (2014)",
+                                .curve = measured,
+                                .style = SeriesStyle::Points,
+                                .colour = 0}},
+                    .x_range = PlotRange{0.0, 2.6},
+                    .y_range = PlotRange{0.0, 3.5}});
+  report.figures.push_back({path, "Position of the front."});
+}
+
+}  // namespace
+
+void validate_lobovsky(Validator& validator, CaseReport& report) {
+  const ReferenceTable front = reference_table("lobovsky_h300_front");
+  report.source = front.citation;
+  report.description =
+      fmt::format("A column of 0.6 x 0.3 m behind a gate lifted at 3.46 m/s, 2D, free slip, {} mm spacing.",
+                  validator.pick(2.5, 5.0));
+  report.comparison = "Front, water levels and wall pressure against the measured ones.";
+  const std::string spacing = validator.pick("particles.spacing=0.0025", "particles.spacing=0.005");
+  const ValidationRun run = validator.run(
+      {.scene = "lobovsky_h300", .overrides = {spacing}, .states = {0.2, 0.5, 1.0, 1.4}, .frames = true});
+  judge_arrival(validator, report, run);
+  judge_levels(validator, report, run);
+  judge_sensors(validator, report, run);
+  report.figures.push_back(run.frame("impact", 0.2, "Frame at 0.2 s."));
+  report.figures.push_back(run.frame("impact", 0.5, "Frame at 0.5 s."));
+  report.figures.push_back(run.frame("impact", 1.0, "Frame at 1.0 s."));
+}
+
+namespace {
+
+struct JanosiProfile {
+  double time;
+  std::vector<PlanePoint> points;  ///< m
+};
+
+std::vector<JanosiProfile> janosi_profiles() {
+  std::vector<JanosiProfile> profiles;
+  for (const int milliseconds : {156, 219, 281, 343, 406, 468, 531, 593}) {
+    const ReferenceTable table = reference_table(fmt::format("janosi_d38_t{}", milliseconds));
+    JanosiProfile profile{.time = 0.001 * milliseconds, .points = {}};
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+      profile.points.push_back({table.column("x")[k], table.column("z")[k]});
+    }
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
+}
+
+/// Farthest point that is well above the water downstream.
+double front_of(const std::vector<PlanePoint>& points, double level) {
+  double front = std::nan("");
+  for (const PlanePoint& point : points) {
+    if (point.z > level) front = std::fmax(front, point.x);
+  }
+  return front;
+}
+
+}  // namespace
+
+void validate_janosi(Validator& validator, CaseReport& report) {
+  // Above the water downstream (38 mm) by the roughness of the digitised figures (7 mm) and a little more.
+  constexpr double kFrontLevel = 0.048;
+  const std::vector<JanosiProfile> profiles = janosi_profiles();
+  report.source = reference_table("janosi_d38_t156").citation;
+  report.description =
+      "A reservoir of 0.38 x 0.15 m behind a gate lifted at 1.5 m/s, 38 mm of water downstream, 2D, free "
+      "slip, "
+      "2 mm spacing.";
+  report.comparison =
+      "Front (the farthest surface above 48 mm) and free surface at eight times against the photographs, "
+      "digitised to 7 mm.";
+  std::vector<double> times;
+  for (const JanosiProfile& profile : profiles) times.push_back(profile.time);
+  const ValidationRun run = validator.run({.scene = "janosi_d38", .states = times, .frames = true});
+
+  ReportTable table{.caption = "Front and profile by time",
+                    .columns = {"time [s]", "front, measured [m]", "front, EISPH [m]", "difference [mm]",
+                                "profile RMS, nearest [mm]", "profile RMS, vertical [mm]"},
+                    .rows = {}};
+  std::vector<Plot> plots;
+  double worst_front = 0.0;
+  double worst_profile = 0.0;
+  for (const JanosiProfile& profile : profiles) {
+    const Section section{0.36, 1.06, 0.0};
+    const Snapshot& state = run.state(profile.time);
+    const std::vector<PlanePoint> surface = surface_points(run.scene, state, section, 0.16);
+    const ProfileDifference difference =
+        profile_difference(profile.points, surface_profile(run.scene, state, section), surface);
+    const double measured = front_of(profile.points, kFrontLevel);
+    const double front = front_of(surface, kFrontLevel);
+    worst_front = std::max(worst_front, std::abs(front - measured));
+    worst_profile = std::max(worst_profile, difference.nearest_rms);
+    table.rows.push_back({fmt::format("{:.3f}", profile.time), fmt::format("{:.3f}", measured),
+                          fmt::format("{:.3f}", front), fmt::format("{:+.0f}", 1000.0 * (front - measured)),
+                          fmt::format("{:.1f}", 1000.0 * difference.nearest_rms),
+                          fmt::format("{:.1f}", 1000.0 * difference.vertical_rms)});
+    std::vector<double> x;
+    std::vector<double> z;
+    for (const PlanePoint& point : profile.points) {
+      x.push_back(point.x);
+      z.push_back(point.z);
+    }
+    Plot plot{.title = fmt::format("t = {:.3f} s", profile.time),
+              .x_label = "x [m]",
+              .y_label = "z [m]",
+              .series = {{.label = "EISPH", .curve = surface_profile(run.scene, state, section)},
+                         {.label = "Janosi et al. (2004)",
+                          .curve = make_curve(x, z),
+                          .style = SeriesStyle::Points,
+                          .colour = 0}},
+              .x_range = PlotRange{0.36, 1.06},
+              .y_range = PlotRange{0.0, 0.14}};
+    plots.push_back(std::move(plot));
+  }
+  add_at_most(report, "front", 1000.0 * worst_front, 20.0, "mm", "largest difference over the eight times");
+  add_at_most(report, "profile", 1000.0 * worst_profile, 12.0, "mm",
+              "RMS distance of the measured points to the surface, largest over the eight times");
+  report.tables.push_back(table);
+  const auto path = validator.figure_path("profiles");
+  write_plots(path, "Free surface", plots, 2, {1100, 1300});
+  report.figures.push_back({path, "Free surface at the times of the photographs (thesis figure 2.16)."});
+  report.figures.push_back(run.frame("wave", 0.343, "Frame at 0.343 s."));
+}
+
+}  // namespace eisph

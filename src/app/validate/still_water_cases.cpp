@@ -1,0 +1,192 @@
+// Water that should stay at rest, and water that swings.
+
+#include "app/validate/cases.hpp"
+#include "app/validate/sampling.hpp"
+#include "compare/convergence.hpp"
+#include "compare/hydrostatic.hpp"
+#include "compare/plot.hpp"
+#include "compare/sloshing.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+constexpr double kStillDepth = 0.3;
+
+double mean_level(const ValidationRun& run, double time) {
+  return value_at(run.table("gauge_level").curve("time", "surface"), time);
+}
+
+/// Metrics of one stepping at the end of its run.
+void judge_still_water(CaseReport& report, const ValidationRun& run, const std::string& stepping) {
+  const double end = run.scene.end_time;
+  const Snapshot& state = run.state(end);
+  const NumberTable ledger = run.table("ledger");
+  const std::vector<double>& potential = ledger.column("potential_energy");
+  const std::string suffix = ", " + stepping;
+  const std::string note = fmt::format("after {:g} s", end);
+  add_at_most(report, "pressure error" + suffix, 100.0 * hydrostatic_error(run.scene, state, kStillDepth),
+              1.4, "% of rho g H", "RMS over the particles, " + note);
+  add_at_most(report, "residual speed" + suffix, 1000.0 * speed_rms(state), 3.0, "mm/s", "RMS, " + note);
+  add_within(report, "potential energy" + suffix, 100.0 * (potential.back() / potential.front() - 1.0), -0.1,
+             0.1, "%", "change, " + note);
+  add_information(report, "surface" + suffix, 1000.0 * (mean_level(run, end) - mean_level(run, 0.0)), "mm",
+                  "rise of the level in the middle of the tank, " + note);
+  add_information(report, "cost" + suffix, run.summary.wall_time_loop / end, "s/s",
+                  "wall clock per simulated second");
+}
+
+Plot pressure_plot(const std::vector<std::pair<std::string, const ValidationRun*>>& runs) {
+  Plot plot{.title = "Still water: pressure in the middle of the tank",
+            .x_label = "pressure p [Pa]",
+            .y_label = "height z [m]",
+            .series = {}};
+  for (const auto& [label, run] : runs) {
+    std::vector<double> pressure;
+    std::vector<double> height;
+    const Snapshot& state = run->state(run->scene.end_time);
+    for (std::size_t k = 0; k < state.size(); ++k) {
+      if (std::abs(state.position[k].x() - 0.5) > 0.05) continue;
+      pressure.push_back(state.pressure[k]);
+      height.push_back(state.position[k].z());
+    }
+    plot.series.push_back(
+        {.label = label, .curve = make_curve(pressure, height), .style = SeriesStyle::Points});
+  }
+  Curve exact;
+  exact.add(0.0, kStillDepth);
+  exact.add(hydrostatic_pressure(kStillDepth, 0.0), 0.0);
+  plot.series.push_back({.label = "hydrostatic", .curve = exact, .style = SeriesStyle::Line, .colour = 0});
+  return plot;
+}
+
+void add_convergence(Validator& validator, CaseReport& report, double duration) {
+  ReportTable table{.caption = fmt::format("Still water after {:g} s, default stepping", duration),
+                    .columns = {"spacing [m]", "particles", "pressure error [% of rho g H]",
+                                "residual speed [mm/s]", "wall clock [s]"},
+                    .rows = {}};
+  std::vector<double> spacings;
+  std::vector<double> errors;
+  for (const double spacing : {0.02, 0.01, 0.005}) {
+    const ValidationRun run = validator.run(
+        {.scene = "still_water",
+         .label = fmt::format("dx_{:g}mm", 1000.0 * spacing),
+         .overrides = {fmt::format("particles.spacing={}", spacing), fmt::format("end_time={}", duration)},
+         .states = {duration}});
+    spacings.push_back(spacing);
+    errors.push_back(hydrostatic_error(run.scene, run.state(duration), kStillDepth));
+    table.rows.push_back({fmt::format("{:g}", spacing), fmt::format("{}", run.summary.fluid_particles),
+                          fmt::format("{:.3f}", 100.0 * errors.back()),
+                          fmt::format("{:.2f}", 1000.0 * speed_rms(run.state(duration))),
+                          fmt::format("{:.2f}", run.summary.wall_time_loop)});
+  }
+  report.tables.push_back(table);
+  add_within(report, "order of convergence", observed_order(spacings, errors).least_squares, 0.8, 3.0, "-",
+             "of the pressure error over three spacings; first order is expected at the free surface");
+}
+
+}  // namespace
+
+void validate_still_water(Validator& validator, CaseReport& report) {
+  report.source = "Nomeritae, Daly, Grimaldi & Bui (2016), as reported by De Castro (2019), figure 2.12";
+  report.description = "A closed tank of 1.0 x 0.3 m of water at rest, 2D, 10 mm spacing.";
+  report.comparison =
+      "Pressure against rho g (H - z), speed against zero, potential energy against its start.";
+  const double end = validator.pick(30.0, 10.0);
+  const std::string end_time = fmt::format("end_time={}", end);
+  const ValidationRun symplectic = validator.run(
+      {.scene = "still_water", .label = "symplectic", .overrides = {end_time}, .states = {end}});
+  const ValidationRun thesis = validator.run({.scene = "still_water",
+                                              .label = "thesis",
+                                              .overrides = {end_time, "scheme.stepping=thesis"},
+                                              .states = {end}});
+  judge_still_water(report, symplectic, "symplectic stepping");
+  judge_still_water(report, thesis, "thesis stepping");
+  const auto path = validator.figure_path("pressure");
+  write_plot(path, pressure_plot({{"symplectic stepping", &symplectic}, {"thesis stepping", &thesis}}));
+  report.figures.push_back({path, fmt::format("Pressure of the particles within 50 mm of the middle after "
+                                              "{:g} s (thesis figure 2.12 d).",
+                                              end)});
+  add_convergence(validator, report, validator.pick(5.0, 2.0));
+}
+
+namespace {
+
+/// Level of the surface at a wall, measured along the normal of the inclined still surface: the start is a
+/// slope, a sum of odd modes n with the amplitudes 4 a / (n pi)^2 x 2 of a triangle of half height a.
+double sloshing_level(double x, double time, double length, double depth, double half_height,
+                      double gravity) {
+  double level = 0.0;
+  for (int mode = 1; mode <= 15; mode += 2) {
+    const double amplitude = 8.0 * half_height / std::pow(mode * std::numbers::pi, 2);
+    const SloshingWave wave(amplitude, length, depth, mode, gravity);
+    level += wave.surface(x, time) - depth;
+  }
+  return level;
+}
+
+/// Times at which a curve passes through zero, either way.
+std::vector<double> zero_crossings(const Curve& curve) {
+  std::vector<double> times;
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    const double a = curve.y[k - 1];
+    const double b = curve.y[k];
+    if (a * b < 0.0) times.push_back(curve.x[k - 1] + (curve.x[k] - curve.x[k - 1]) * a / (a - b));
+  }
+  return times;
+}
+
+}  // namespace
+
+void validate_sloshing(Validator& validator, CaseReport& report) {
+  report.source = "Linear potential theory (Lamb 1932, art. 228)";
+  report.description =
+      "A closed tank of 1.0 x 0.3 m of water, 2D; gravity is inclined by 1 in 20, so the level surface of "
+      "the "
+      "start begins to swing about the inclined one, by 25 mm at the walls.";
+  report.comparison =
+      "Difference of the levels at the two walls against the sum of the first eight odd modes: the period by "
+      "the mean distance of zero crossings, and the whole curve in relative L2.";
+  const std::string spacing = validator.pick("particles.spacing=0.005", "particles.spacing=0.01");
+  const ValidationRun run = validator.run({.scene = "sloshing", .overrides = {spacing}, .states = {}});
+  const Curve left = run.table("gauge_wall").curve("time", "surface");
+  const Curve right = run.table("gauge_opposite_wall").curve("time", "surface");
+  // Half the difference of the walls, about the inclined surface at rest.
+  const double gravity = run.scene.gravity.norm();
+  const double slope = -run.scene.gravity.x() / run.scene.gravity.z();
+  const double half_height = 0.5 * slope;
+  Curve measured;
+  Curve theory;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    measured.add(left.x[k], 0.5 * (left.y[k] - right.y[k]) + half_height);
+    theory.add(left.x[k], sloshing_level(0.0, left.x[k], 1.0, kStillDepth, half_height, gravity));
+  }
+  const std::vector<double> crossings = zero_crossings(measured);
+  const double period = crossings.size() < 2 ? std::nan("")
+                                             : 2.0 * (crossings.back() - crossings.front()) /
+                                                   static_cast<double>(crossings.size() - 1);
+  const double expected = SloshingWave(0.01, 1.0, kStillDepth, 1, gravity).period();
+  add_within(report, "period", 100.0 * (period / expected - 1.0), -3.0, 3.0, "%",
+             fmt::format("deviation from the first mode's {:.4f} s", expected));
+  add_at_most(report, "level at the walls", 100.0 * curve_difference(measured, theory).relative_l2, 30.0, "%",
+              "relative L2 over four periods; decay by viscosity included");
+  const double last = std::abs(highest_point(restricted(measured, 4.0, 5.5)).y);
+  add_information(report, "amplitude after three periods", 100.0 * last / half_height, "% of the start");
+  const auto path = validator.figure_path("level");
+  write_plot(
+      path,
+      {.title = "Standing wave: level at the wall",
+       .x_label = "time t [s]",
+       .y_label = "height above the level at rest [m]",
+       .series = {{.label = "EISPH", .curve = measured},
+                  {.label = "linear theory", .curve = theory, .style = SeriesStyle::Dashed, .colour = 0}}});
+  report.figures.push_back({path, "Half the difference of the levels at the two walls."});
+}
+
+}  // namespace eisph
