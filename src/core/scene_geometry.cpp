@@ -23,7 +23,8 @@ std::optional<NearestFace> nearest_face(const Scene& scene, const Vec3d& point) 
   for (const int axis : {2, 0, 1}) {
     if (scene.dimension == 2 && axis == 1) continue;
     for (const int side : {0, 1}) {
-      if (scene.faces[static_cast<std::size_t>(2 * axis + side)].kind == FaceKind::Open) continue;
+      const int index = 2 * axis + side;
+      if (scene.faces[static_cast<std::size_t>(index)].kind == FaceKind::Open) continue;
       const double face = side == 0 ? scene.domain_min[axis] : scene.domain_max[axis];
       const double distance = std::abs(point[axis] - face);
       if (nearest && distance >= nearest->distance) continue;

@@ -18,11 +18,13 @@ constexpr double kLeastSpace = 1e-3;
 /// Calls visit(cell, weight) for the cells of one axis whose centres a coordinate reaches: weights of B, 1/m.
 template <class Visit>
 void visit_reached(double offset, double dx, double cell_size, std::size_t cells, const Visit& visit) {
-  const double first = std::ceil((offset - 2.0 * dx) / cell_size - 0.5);
-  const double last = std::min((offset + 2.0 * dx) / cell_size - 0.5, static_cast<double>(cells) - 1.0);
-  for (double cell = std::max(first, 0.0); cell <= last; cell += 1.0) {
-    const double weight = axis_spline(((cell + 0.5) * cell_size - offset) / dx) / dx;
-    visit(static_cast<std::size_t>(cell), weight);
+  const double first = std::max(std::ceil((offset - 2.0 * dx) / cell_size - 0.5), 0.0);
+  const double last = std::floor((offset + 2.0 * dx) / cell_size - 0.5);
+  if (last < first) return;
+  const std::size_t end = std::min(static_cast<std::size_t>(last) + 1, cells);
+  for (auto cell = static_cast<std::size_t>(first); cell < end; ++cell) {
+    const double weight = axis_spline(((static_cast<double>(cell) + 0.5) * cell_size - offset) / dx) / dx;
+    visit(cell, weight);
   }
 }
 
@@ -130,9 +132,10 @@ void SurfaceDepth::add_prism(const Shape& outline, const Prism& prism, const Dep
   if (outline.kind == ShapeKind::Cylinder) middle.z() += 0.5 * outline.height;
   for (std::size_t cell = 0; cell < share.size(); ++cell) {
     if (share[cell] <= 0.0) continue;
-    const Vec3d point(grid.origin_x + (static_cast<double>(cell % grid.columns) + 0.5) * grid.cell_size,
-                      grid.origin_y + (static_cast<double>(cell / grid.columns) + 0.5) * grid.cell_size,
-                      middle.z());
+    const std::size_t row = cell / grid.columns;
+    const std::size_t column = cell % grid.columns;
+    const Vec3d point(grid.origin_x + (static_cast<double>(column) + 0.5) * grid.cell_size,
+                      grid.origin_y + (static_cast<double>(row) + 0.5) * grid.cell_size, middle.z());
     shares_.push_back({static_cast<std::uint32_t>(cell), number, std::min(share[cell], 1.0),
                        outline.contains(point, dimension_)});
   }

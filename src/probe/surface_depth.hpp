@@ -20,10 +20,11 @@ namespace eisph {
 /// the part of the same kernel that solids take up at height z. Where the centre is above a solid only the
 /// water above it counts and stands on it.
 ///
-/// A lattice of particles at rest comes out exactly (half a spacing above the highest particles) up to walls
-/// and corners, and within 1 % of its depth at faces of solids. A layer that thins out keeps its mean depth:
-/// there are no holes until particles are 4 spacings apart. Drops count by their volume, not their height.
-/// Spheres are taken as a stack of discs.
+/// A lattice of particles at rest comes out exactly (half a spacing above the highest particles) up to walls,
+/// corners and faces of solids that follow the lattice; along other faces the steps of the lattice show. With
+/// all particles displaced by up to a tenth of a spacing it is good to 5 % of a depth of ten spacings. A
+/// layer that thins out keeps its mean depth: there are no holes until particles are 4 spacings apart. Drops
+/// count by their volume, not their height. Spheres are taken as a stack of discs.
 class SurfaceDepth {
  public:
   /// `grid` tells the cells.
