@@ -336,8 +336,23 @@ TEST_P(ShippedSceneTest, LoadsWithItsParticlesAndComesBackFromItsResolvedText) {
 }
 
 constexpr ShippedScene kShippedScenes[] = {
-    {"aureli_test4_full", 144000}, {"aureli_test4_half", 576000}, {"aureli_coarse", 31104},
-    {"shao_lo_3d", 16000},         {"shao_lo_2d", 800},           {"ritter", 27000},
+    {"aureli_test1", 144000},
+    {"aureli_test2", 186660},
+    {"aureli_test3", 144000},
+    {"aureli_test4_full", 144000},
+    {"aureli_test4_half", 576000},
+    {"aureli_coarse", 31104},
+    {"shao_lo_3d", 16000},
+    {"shao_lo_2d", 800},
+    {"martin_moyce_n1", 576},
+    {"martin_moyce_n2", 1152},
+    {"ritter", 27000},
+    {"ritter_long", 6000},
+    {"stoker", 28800},
+    {"buchner", 7200},
+    {"janosi_d38", 29583},
+    {"lobovsky_h300", 7200},
+    {"sloshing", 12000},
     {"still_water", 3000},
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedSceneTest, testing::ValuesIn(kShippedScenes),

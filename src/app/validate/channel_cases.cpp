@@ -210,7 +210,7 @@ std::vector<ValidationRun> channel_runs(Validator& validator, const std::string&
   std::vector<ValidationRun> runs;
   for (const double spacing : spacings) {
     runs.push_back(validator.run({.scene = scene,
-                                  .label = fmt::format("dx_{:g}mm", 1000.0 * spacing),
+                                  .label = fmt::format("dx_{:.0f}um", 1e6 * spacing),
                                   .overrides = {fmt::format("particles.spacing={}", spacing)},
                                   .states = kProfileTimes}));
   }
@@ -248,8 +248,11 @@ void validate_ritter_long(Validator& validator, CaseReport& report) {
   add_within(report, "depth at the dam", 100.0 * (mean_value(at_dam, 0.5, 0.8) / ritter.depth_at_dam() - 1.0),
              -5.0, 5.0, "%", "mean from 0.5 to 0.8 s against 4/9 of the first depth");
   const Curve front = run.table("front_front").curve("time", "bulk_front");
-  add_within(report, "speed of the front", mean_slope(front, 0.5, 0.8) / ritter.front_speed(), 0.92, 1.0,
-             "of 2 sqrt(g h0)", "from 0.5 to 0.8 s");
+  // The tip of Ritter's parabola is thinner than half a spacing over the last 3 t sqrt(g dx / 2).
+  const double unresolved = 3.0 * std::sqrt(9.81 * 0.5 * run.scene.particle_spacing) / ritter.front_speed();
+  add_within(report, "speed of the front", mean_slope(front, 0.5, 0.8) / ritter.front_speed(),
+             1.0 - unresolved, 1.0, "of 2 sqrt(g h0)",
+             "from 0.5 to 0.8 s; not below that of the depth dx / 2 in Ritter's profile");
   const Curve discharge = run.table("discharge_dam_section").curve("time", "discharge");
   const double exact = 8.0 / 27.0 * kChannelDepth * ritter.celerity();
   add_within(report, "discharge at the dam", 100.0 * (mean_value(discharge, 0.5, 0.8) / exact - 1.0), -5.0,

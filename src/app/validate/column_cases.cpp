@@ -125,7 +125,7 @@ void add_front_convergence(Validator& validator, CaseReport& report) {
   for (const double spacing : spacings) {
     const ValidationRun run = validator.run(
         {.scene = "shao_lo_2d",
-         .label = fmt::format("dx_{:g}mm", 1000.0 * spacing),
+         .label = fmt::format("dx_{:.0f}um", 1e6 * spacing),
          .overrides = {fmt::format("particles.spacing={}", spacing), fmt::format("end_time={}", kTime)},
          .states = {}});
     // The water reaches half a spacing beyond the centre of its first particle.

