@@ -90,7 +90,6 @@ void add_convergence(Validator& validator, CaseReport& report, double duration) 
   add_information(
       report, "order of convergence", observed_order(spacings, errors).least_squares, "-",
       "of the pressure error; the free surface, where pressure starts at particles, is of first order");
-  first order is expected at the free surface ");
 }
 
 }  // namespace
@@ -176,8 +175,11 @@ void validate_sloshing(Validator& validator, CaseReport& report) {
   const double expected = SloshingWave(0.01, 1.0, kStillDepth, 1, gravity).period();
   add_within(report, "period", 100.0 * (period / expected - 1.0), -3.0, 3.0, "%",
              fmt::format("deviation from the first mode's {:.4f} s", expected));
-  add_at_most(report, "level at the walls", 100.0 * curve_difference(measured, theory).relative_l2, 30.0, "%",
-              "relative L2 over four periods; decay by viscosity included");
+  add_information(report, "level at the walls", 100.0 * curve_difference(measured, theory).relative_l2, "%",
+                  "relative L2 over four periods; linear theory has no viscosity, so decay counts as error");
+  add_at_most(report, "level at the walls, first half period",
+              100.0 * curve_difference(restricted(measured, 0.0, 0.5 * expected), theory).relative_l2, 5.0,
+              "%", "relative L2");
   const double last = std::abs(highest_point(restricted(measured, 4.0, 5.5)).y);
   add_information(report, "amplitude after three periods", 100.0 * last / half_height, "% of the start");
   const auto path = validator.figure_path("level");
