@@ -333,22 +333,26 @@ void EisphSolver<Dim>::update_particle(std::uint32_t i, double time_step, bool n
 }
 
 /// Safety clamp: a particle beyond a wall or inside a solid is counted as a penetration and put back, without
-/// the velocity that took it there.
+/// the velocity that took it there. A particle that crosses a symmetry plane changes places with its mirror
+/// image, which is no penetration.
 template <int Dim>
 void EisphSolver<Dim>::contain(std::array<double, Dim>& position, std::array<double, Dim>& velocity,
                                bool near_object, BlockSums& sums) const {
   bool penetrated = false;
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);
-    if (position[d] < 0.0 && scene_.faces[2 * axis].kind != FaceKind::Open) {
-      position[d] = std::min(-position[d], 0.5 * extent_[d]);
-      velocity[d] = std::max(velocity[d], 0.0);
-      penetrated = true;
-    } else if (position[d] > extent_[d] && scene_.faces[2 * axis + 1].kind != FaceKind::Open) {
-      position[d] = std::max(2.0 * extent_[d] - position[d], 0.5 * extent_[d]);
-      velocity[d] = std::min(velocity[d], 0.0);
-      penetrated = true;
+    const bool low = position[d] < 0.0;
+    if (!low && !(position[d] > extent_[d])) continue;
+    const FaceKind kind = scene_.faces[2 * axis + (low ? 0 : 1)].kind;
+    if (kind == FaceKind::Open) continue;
+    const double mirrored = (low ? 0.0 : 2.0 * extent_[d]) - position[d];
+    position[d] = low ? std::min(mirrored, 0.5 * extent_[d]) : std::max(mirrored, 0.5 * extent_[d]);
+    if (kind == FaceKind::Symmetry) {
+      velocity[d] = -velocity[d];
+      continue;
     }
+    velocity[d] = low ? std::max(velocity[d], 0.0) : std::min(velocity[d], 0.0);
+    penetrated = true;
   }
   if (near_object) {
     Vec3d point = scene_.domain_min + scene_vector(position);

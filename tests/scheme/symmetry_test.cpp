@@ -96,6 +96,23 @@ TEST_F(SymmetryPlane, AHalfDomainRunsLikeTheFullOneAlsoInTheCornerWithTheEndWall
   EXPECT_EQ(half_->summary().penetrations, 0U);
 }
 
+TEST_F(SymmetryPlane, AParticleThatWouldCrossChangesPlacesWithItsImage) {
+  // A lone particle 5 mm from the plane, inviscid and on the free surface like its image, so that nothing
+  // holds it: after 20 ms at 1 m/s it would be 15 mm beyond; its image is 15 mm inside, on its way back.
+  Scene scene = tank(3, Vec3d(0.3, 0.3, 0.5), 0.01, box(Vec3d(0.29, 0.1, 0.4), Vec3d(0.3, 0.11, 0.41)));
+  scene.faces[kXMax].kind = FaceKind::Symmetry;
+  scene.artificial_viscosity = 0.0;
+  scene.fluid[0].velocity = Vec3d(1.0, 0.0, 0.0);
+  use_fixed_step(scene, 1e-3);
+  const auto simulation = start(scene);
+  run_until(*simulation, 0.02);
+  const auto snapshot = simulation->snapshot();
+  ASSERT_EQ(snapshot->size(), 1U);
+  EXPECT_NEAR(snapshot->position[0].x(), 0.285, 1e-5);
+  EXPECT_NEAR(snapshot->velocity[0].x(), -1.0, 1e-5);
+  EXPECT_EQ(simulation->summary().penetrations, 0U);
+}
+
 TEST_F(SymmetryPlane, NothingCrossesIt) {
   run_until(*half_, 0.2);
   const auto snapshot = half_->snapshot();
