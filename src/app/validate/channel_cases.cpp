@@ -43,7 +43,9 @@ constexpr double kBoxMiddle = 0.075;
 /// Speed of a front by differences over `window`, s.
 Curve front_speed(const Curve& front, double window) {
   Curve speed;
-  for (double t = 0.5 * window; t <= front.x.back() - 0.5 * window; t += 0.5 * window) {
+  const auto count = static_cast<int>(front.x.back() / (0.5 * window)) - 1;
+  for (int k = 1; k <= count; ++k) {
+    const double t = 0.5 * window * k;
     speed.add(t, (value_at(front, t + 0.5 * window) - value_at(front, t - 0.5 * window)) / window);
   }
   return speed;
@@ -208,6 +210,7 @@ void add_profile_convergence(CaseReport& report, const std::vector<ValidationRun
 std::vector<ValidationRun> channel_runs(Validator& validator, const std::string& scene,
                                         const std::vector<double>& spacings) {
   std::vector<ValidationRun> runs;
+  runs.reserve(spacings.size());
   for (const double spacing : spacings) {
     runs.push_back(validator.run({.scene = scene,
                                   .label = fmt::format("dx_{:.0f}um", 1e6 * spacing),
