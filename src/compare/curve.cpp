@@ -158,6 +158,13 @@ double first_fall_to(const Curve& curve, double level) {
   return first_rise_to(scaled(curve, 1.0, -1.0), -level);
 }
 
+double last_above(const Curve& curve, double level) {
+  for (std::size_t k = curve.size(); k-- > 0;) {
+    if (curve.y[k] > level) return curve.x[k];
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 double mean_slope(const Curve& curve, double first, double last) {
   double count = 0.0;
   double mean_x = 0.0;

@@ -55,6 +55,9 @@ struct CurvePoint {
 [[nodiscard]] double first_rise_to(const Curve& curve, double level);
 /// Where it first falls from above `level` to it or below, likewise.
 [[nodiscard]] double first_fall_to(const Curve& curve, double level);
+/// The last point of the curve that lies above `level`, for example the front of a wave; not a number if none
+/// does.
+[[nodiscard]] double last_above(const Curve& curve, double level);
 /// Slope of the straight line of least squares through the points with first <= x <= last, for example the
 /// speed of a front; not a number with fewer than two.
 [[nodiscard]] double mean_slope(const Curve& curve, double first, double last);

@@ -59,6 +59,12 @@ TEST(Curve, IsRestrictedWithInterpolatedEnds) {
   EXPECT_THAT(restricted(curve, 1.2, 1.4).x, ElementsAre(1.2, 1.4));
 }
 
+TEST(Curve, LastPointAboveALevelIsBehindAllPocketsAndGaps) {
+  const double gap = std::nan("");
+  EXPECT_EQ(last_above(Curve{{0.0, 1.0, 2.0, 3.0, 4.0}, {5.0, 1.0, 3.0, gap, 2.0}}, 2.0), 2.0);
+  EXPECT_TRUE(std::isnan(last_above(Curve{{0.0, 1.0}, {1.0, 2.0}}, 2.0)));
+}
+
 TEST(Curve, IsExtendedByItsEndValues) {
   const Curve curve = extended({{1.0, 2.0}, {5.0, 6.0}}, -1.0, 3.0);
   EXPECT_THAT(curve.x, ElementsAre(-1.0, 1.0, 2.0, 3.0));

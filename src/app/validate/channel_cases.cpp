@@ -279,12 +279,12 @@ void validate_stoker(Validator& validator, CaseReport& report) {
   const ValidationRun shallow = shallow_run(validator, "stoker");
   const ValidationRun& run = runs.back();
 
-  // Where the rising front of the bore passes half its height.
+  // The farthest water above half the height of the bore: behind it lie the pockets of its breaking.
   const double middle_height = 0.5 * (stoker.middle_depth() + kDownstream);
   Curve bore;
   for (const double time : kProfileTimes) {
     const Curve profile = surface_profile(run.scene, run.state(time), section);
-    bore.add(time, first_fall_to(restricted(profile, kDam, 3.0), middle_height));
+    bore.add(time, last_above(profile, middle_height));
   }
   add_within(report, "speed of the bore", 100.0 * (mean_slope(bore, 0.4, 0.8) / stoker.bore_speed() - 1.0),
              -5.0, 5.0, "%", fmt::format("from 0.4 to 0.8 s against {:.3f} m/s", stoker.bore_speed()));

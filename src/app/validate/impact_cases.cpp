@@ -314,15 +314,6 @@ double measured_front(const JanosiProfile& profile) {
   return front;
 }
 
-/// Farthest place where the surface is above the level of the front.
-double simulated_front(const Curve& surface) {
-  double front = std::nan("");
-  for (std::size_t k = 0; k < surface.size(); ++k) {
-    if (surface.y[k] > kFrontLevel) front = surface.x[k];
-  }
-  return front;
-}
-
 /// All eight times with the photographs taken `delay` (s) earlier than dated.
 struct JanosiComparison {
   double delay = 0.0;
@@ -345,7 +336,7 @@ JanosiComparison compare_profiles(const ValidationRun& run, const std::vector<Ja
     const ProfileDifference difference =
         profile_difference(profile.points, surface, surface_points(run.scene, state, kJanosiSection, 0.16));
     const double measured = measured_front(profile);
-    const double front = simulated_front(surface);
+    const double front = last_above(surface, kFrontLevel);
     comparison.worst_front = std::max(comparison.worst_front, std::abs(front - measured));
     comparison.worst_profile = std::max(comparison.worst_profile, difference.nearest_rms);
     comparison.table.rows.push_back({fmt::format("{:.3f}", profile.time), fmt::format("{:.3f}", measured),
