@@ -37,16 +37,6 @@ void fill(GridValues& grid, double y, const Value& value) {
   }
 }
 
-double column_surface(const ColumnField& columns, double x, double y) {
-  const auto cell = [&](double at, double origin, std::size_t count) {
-    const double place = std::floor((at - origin) / columns.cell_size);
-    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 1)));
-  };
-  const std::size_t k = columns.index(cell(x, columns.origin_x, columns.columns),
-                                      columns.rows == 1 ? 0 : cell(y, columns.origin_y, columns.rows));
-  return columns.depth[k] > 0.0F ? columns.bed[k] + columns.depth[k] : 0.0;
-}
-
 }  // namespace
 
 Curve surface_profile(const Scene& scene, const Snapshot& state, const Section& section) {
@@ -59,8 +49,7 @@ Curve surface_profile(const Scene& scene, const Snapshot& state, const Section& 
   Curve profile;
   for (std::size_t k = 0; k < points; ++k) {
     gauge.x = std::min(section.first + static_cast<double>(k) * spacing, section.last);
-    profile.add(gauge.x, state.columns ? column_surface(*state.columns, gauge.x, gauge.y)
-                                       : surface_level(gauge, field));
+    profile.add(gauge.x, surface_level(gauge, field));
   }
   return profile;
 }
