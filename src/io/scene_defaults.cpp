@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -46,9 +47,9 @@ double water_depth(const Scene& scene) {
 double cell_size(const Scene& scene) {
   const Vec3d size = scene.domain_max - scene.domain_min;
   const double spacing = scene.particle_spacing;
-  const double fewest = std::max(1.0, std::ceil(size.x() / spacing * (1.0 - 1e-9)));
-  for (double columns = fewest; columns <= 2.0 * fewest; columns += 1.0) {
-    const double side = size.x() / columns;
+  const auto fewest = static_cast<std::int64_t>(std::max(1.0, std::ceil(size.x() / spacing * (1.0 - 1e-9))));
+  for (std::int64_t columns = fewest; columns <= 2 * fewest; ++columns) {
+    const double side = size.x() / static_cast<double>(columns);
     const double rows = size.y() / side;
     if (scene.dimension == 2 || (rows > 0.5 && std::abs(rows - std::round(rows)) < 1e-6 * rows)) return side;
   }
