@@ -19,7 +19,7 @@ namespace {
 /// The name of every element of a group must be new; maps names to the section that has them.
 class NameRegister {
  public:
-  explicit NameRegister(const SceneSource& source) : source_(source) {}
+  explicit NameRegister(const TomlSource& source) : source_(source) {}
   void add(const std::string& path, const std::string& name) {
     const auto [first, is_new] = paths_.emplace(name, path);
     if (!is_new)
@@ -27,11 +27,11 @@ class NameRegister {
   }
 
  private:
-  const SceneSource& source_;
+  const TomlSource& source_;
   std::map<std::string, std::string> paths_;
 };
 
-void check_names(const Scene& scene, const SceneSource& source) {
+void check_names(const Scene& scene, const TomlSource& source) {
   if (!is_name(scene.name)) {
     source.fail("name", write_text(scene.name), "expected a name of letters, digits, _ and -");
   }
@@ -58,7 +58,7 @@ void check_names(const Scene& scene, const SceneSource& source) {
     images.add(fmt::format("image.{}", k), scene.images[k].name);
 }
 
-void check_gates(const Scene& scene, const SceneSource& source) {
+void check_gates(const Scene& scene, const TomlSource& source) {
   for (std::size_t k = 0; k < scene.gates.size(); ++k) {
     if (scene.gates[k].motion != GateMotion::Lift) continue;
     const std::string path = fmt::format("gate.{}", k);
@@ -72,7 +72,7 @@ void check_gates(const Scene& scene, const SceneSource& source) {
   }
 }
 
-void check_times(const Scene& scene, const SceneSource& source) {
+void check_times(const Scene& scene, const TomlSource& source) {
   const auto check = [&](const std::string& path, const Schedule& schedule) {
     if (schedule.times.empty() || schedule.times.back() <= scene.end_time || !source.given(path)) return;
     source.fail(path, fmt::format("{} s is beyond the end of the run; expected times up to end_time = {} s",
@@ -87,7 +87,7 @@ void check_times(const Scene& scene, const SceneSource& source) {
 }
 
 /// What the depth-averaged equations need.
-void check_shallow_water(const Scene& scene, const SceneSource& source) {
+void check_shallow_water(const Scene& scene, const TomlSource& source) {
   if (scene.scheme.name != "shallow_water") return;
   if (scene.gravity.x() != 0.0 || scene.gravity.y() != 0.0 || scene.gravity.z() >= 0.0) {
     source.fail("gravity", write_vector(scene.gravity, scene.dimension),
@@ -109,7 +109,7 @@ void check_shallow_water(const Scene& scene, const SceneSource& source) {
   }
 }
 
-void check_camera(const Camera& camera, const std::string& path, const SceneSource& source) {
+void check_camera(const Camera& camera, const std::string& path, const TomlSource& source) {
   const Vec3d view = camera.target - camera.eye;
   if (view.norm() == 0.0) {
     source.fail(path + ".eye", "the camera is at its own target; expected a point away from it");
@@ -121,7 +121,7 @@ void check_camera(const Camera& camera, const std::string& path, const SceneSour
   }
 }
 
-void check_images(const Scene& scene, const SceneSource& source) {
+void check_images(const Scene& scene, const TomlSource& source) {
   const std::vector<std::string> colour_maps = colour_map_names();
   for (std::size_t k = 0; k < scene.images.size(); ++k) {
     const ImageSettings& image = scene.images[k];
@@ -147,14 +147,14 @@ void check_images(const Scene& scene, const SceneSource& source) {
 
 }  // namespace
 
-std::string solid_path(const Scene& scene, const SceneSource& source, std::size_t index) {
+std::string solid_path(const Scene& scene, const TomlSource& source, std::size_t index) {
   const std::size_t obstacles = source.list_size("obstacle");
   if (index < obstacles) return fmt::format("obstacle.{}", index);
   if (index < scene.obstacles.size()) return fmt::format("dam.{}", index - obstacles);
   return fmt::format("gate.{}", index - scene.obstacles.size());
 }
 
-void check_settings(const Scene& scene, const SceneSource& source) {
+void check_settings(const Scene& scene, const TomlSource& source) {
   if (scene.gravity.norm() == 0.0) {
     source.fail(
         "gravity",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene.hpp"
-#include "io/scene_source.hpp"
+#include "io/toml_source.hpp"
 
 #include <cstdint>
 #include <string>
@@ -10,13 +10,13 @@
 namespace eisph {
 
 /// What no single key can tell: names, times, cameras, gates. Throws InputError.
-void check_settings(const Scene& scene, const SceneSource& source);
+void check_settings(const Scene& scene, const TomlSource& source);
 
 /// Domain, bodies, probes, particle counts and memory. Throws InputError.
-void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t available_memory);
+void check_geometry(const Scene& scene, const TomlSource& source, std::uint64_t available_memory);
 
 /// Places and ranges of the probes. Throws InputError.
-void check_probes(const Scene& scene, const SceneSource& source);
+void check_probes(const Scene& scene, const TomlSource& source);
 
 /// Axes that a scene has.
 [[nodiscard]] std::vector<int> scene_axes(const Scene& scene);
@@ -24,6 +24,6 @@ void check_probes(const Scene& scene, const SceneSource& source);
 [[nodiscard]] std::string domain_text(const Scene& scene);
 
 /// Section that solid `index` was read from, the obstacles counted first and the gates after them.
-[[nodiscard]] std::string solid_path(const Scene& scene, const SceneSource& source, std::size_t index);
+[[nodiscard]] std::string solid_path(const Scene& scene, const TomlSource& source, std::size_t index);
 
 }  // namespace eisph

@@ -20,7 +20,7 @@ constexpr double kTolerance = 1e-6;             ///< lengths, over the particle 
 
 constexpr const char* kAxisNames = "xyz";
 
-void check_domain(const Scene& scene, const SceneSource& source) {
+void check_domain(const Scene& scene, const TomlSource& source) {
   for (const int axis : scene_axes(scene)) {
     const double extent = scene.domain_max[axis] - scene.domain_min[axis];
     if (extent < scene.smoothing_length()) {
@@ -38,7 +38,7 @@ std::string corner_key(const Shape& shape, bool upper) {
   return upper ? ".max" : ".min";
 }
 
-void check_shape(const Shape& shape, const std::string& path, const Scene& scene, const SceneSource& source) {
+void check_shape(const Shape& shape, const std::string& path, const Scene& scene, const TomlSource& source) {
   if (shape.kind == ShapeKind::Cylinder && scene.dimension == 2) {
     source.fail(path + ".shape", "a cylinder needs dimension = 3; expected \"box\" or \"sphere\"");
   }
@@ -52,7 +52,7 @@ void check_shape(const Shape& shape, const std::string& path, const Scene& scene
 
 /// Water may cross only symmetry planes, where the mirror image completes it.
 void check_region(const FluidRegion& region, const std::string& path, const Scene& scene,
-                  const SceneSource& source) {
+                  const TomlSource& source) {
   check_shape(region.shape, path, scene, source);
   if (region.cut) return;
   Vec3d lower;
@@ -78,7 +78,7 @@ void check_region(const FluidRegion& region, const std::string& path, const Scen
   }
 }
 
-void check_solid(const Shape& shape, const std::string& path, const Scene& scene, const SceneSource& source) {
+void check_solid(const Shape& shape, const std::string& path, const Scene& scene, const TomlSource& source) {
   check_shape(shape, path, scene, source);
   Vec3d lower;
   Vec3d upper;
@@ -119,7 +119,7 @@ double bytes_bound(const Scene& scene) {
 }
 
 /// A spacing, larger than the present one, at which the scene fits the memory.
-std::string fitting_spacing(Scene scene, const SceneSource& source, double available_memory) {
+std::string fitting_spacing(Scene scene, const TomlSource& source, double available_memory) {
   constexpr double kStep = 1.1;
   for (int attempt = 0; attempt < 200; ++attempt) {
     scene.particle_spacing *= kStep;
@@ -132,7 +132,7 @@ std::string fitting_spacing(Scene scene, const SceneSource& source, double avail
 }
 
 /// Counts the water and holds it against the memory.
-void check_count(const Scene& scene, const SceneSource& source, double available_memory) {
+void check_count(const Scene& scene, const TomlSource& source, double available_memory) {
   const double bound = fluid_particle_bound(scene);
   const double fitting = std::floor((available_memory - fixed_bytes(scene)) / kBytesPerParticle);
   const bool hopeless = bound > kMaximumFluidParticles || fitting < 1.0;
@@ -158,7 +158,7 @@ void check_count(const Scene& scene, const SceneSource& source, double available
 }
 
 /// No particle may start inside a solid; one whose centre lies on the surface may.
-void check_overlap(const Scene& scene, const SceneSource& source) {
+void check_overlap(const Scene& scene, const TomlSource& source) {
   const std::vector<Shape> solids = solid_shapes(scene);
   const double tolerance = kTolerance * scene.particle_spacing;
   std::vector<std::uint64_t> overlaps(solids.size(), 0);
@@ -180,7 +180,7 @@ void check_overlap(const Scene& scene, const SceneSource& source) {
 }
 
 /// Memory of the cells of a shallow-water run.
-void check_cells(const Scene& scene, const SceneSource& source, double available_memory) {
+void check_cells(const Scene& scene, const TomlSource& source, double available_memory) {
   if (scene.scheme.name != "shallow_water") return;
   const Vec3d size = scene.domain_max - scene.domain_min;
   const double side = scene.shallow_water.cell_size;
@@ -203,7 +203,7 @@ std::string domain_text(const Scene& scene) {
                      write_vector(scene.domain_max, scene.dimension));
 }
 
-void check_geometry(const Scene& scene, const SceneSource& source, std::uint64_t available_memory) {
+void check_geometry(const Scene& scene, const TomlSource& source, std::uint64_t available_memory) {
   check_domain(scene, source);
   if (scene.fluid.empty()) source.fail("fluid.region", "missing; expected at least one [[fluid.region]]");
   for (std::size_t k = 0; k < scene.fluid.size(); ++k) {

@@ -20,7 +20,7 @@ constexpr double kTolerance = 1e-6;  ///< lengths, over the particle spacing
 /// Stops at probes that are not where water can be.
 class ProbeCheck {
  public:
-  ProbeCheck(const Scene& scene, const SceneSource& source) : scene_(scene), source_(source) {}
+  ProbeCheck(const Scene& scene, const TomlSource& source) : scene_(scene), source_(source) {}
 
   void inside(const Vec3d& point, const std::vector<int>& axes, const std::string& path,
               const std::string& what) const {
@@ -94,12 +94,12 @@ class ProbeCheck {
   }
 
   const Scene& scene_;
-  const SceneSource& source_;
+  const TomlSource& source_;
 };
 
 }  // namespace
 
-void check_probes(const Scene& scene, const SceneSource& source) {
+void check_probes(const Scene& scene, const TomlSource& source) {
   const ProbeCheck check(scene, source);
   const auto each = [](const auto& probes, const char* section, const auto& visit) {
     for (std::size_t k = 0; k < probes.size(); ++k) visit(probes[k], fmt::format("{}.{}", section, k));

@@ -56,7 +56,7 @@ double cell_size(const Scene& scene) {
   return spacing;
 }
 
-void complete_schedules(Scene& scene, const SceneSource& source) {
+void complete_schedules(Scene& scene, const TomlSource& source) {
   const auto given = [&](const std::string& prefix) {
     return source.given(prefix + "times") || source.given(prefix + "interval");
   };
@@ -68,7 +68,7 @@ void complete_schedules(Scene& scene, const SceneSource& source) {
   }
 }
 
-void complete_images(Scene& scene, const SceneSource& source) {
+void complete_images(Scene& scene, const TomlSource& source) {
   for (std::size_t k = 0; k < scene.images.size(); ++k) {
     ImageSettings& image = scene.images[k];
     if (image.kind != ImageKind::DepthMap) continue;
@@ -105,7 +105,7 @@ void complete_probes(Scene& scene) {
 
 }  // namespace
 
-void complete_scene(Scene& scene, const SceneSource& source) {
+void complete_scene(Scene& scene, const TomlSource& source) {
   if (!source.given("name")) scene.name = name_of_file(source.file());
   if (!source.given("title")) scene.title = scene.name;
   if (!source.given("fluid.reference_depth")) scene.reference_depth = water_depth(scene);

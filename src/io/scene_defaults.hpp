@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/scene.hpp"
-#include "io/scene_source.hpp"
+#include "io/toml_source.hpp"
 
 namespace eisph {
 
 /// Fills in what depends on other keys, where the source does not give it.
-void complete_scene(Scene& scene, const SceneSource& source);
+void complete_scene(Scene& scene, const TomlSource& source);
 
 }  // namespace eisph

@@ -8,8 +8,30 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 namespace eisph {
+
+namespace {
+
+/// The images that stand in for missing ones depend on the dimension, and may be overridden themselves.
+void add_default_images(toml::table& root) {
+  if (root.contains("image")) return;
+  toml::array images;
+  images.push_back(toml::table{{"name", "particles"}});
+  if (root["dimension"].value_or(3) == 3)
+    images.push_back(toml::table{{"name", "depth"}, {"kind", "depth_map"}});
+  root.insert_or_assign("image", std::move(images));
+}
+
+TomlKind scene_kind() {
+  return {.expected = "a scene file (TOML)",
+          .example = "particles.spacing=0.01 or image.0.width=640",
+          .complete = add_default_images,
+          .first_key = "dimension"};
+}
+
+}  // namespace
 
 std::uint64_t available_memory_bytes() {
   std::ifstream stream("/proc/meminfo");
@@ -22,10 +44,10 @@ std::uint64_t available_memory_bytes() {
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                  std::uint64_t available_memory) {
-  SceneSource source(file, overrides);
+  TomlSource source(file, overrides, scene_kind());
   Scene scene;
   scene.source_file = file.string();
-  SceneReader reader{.source = source, .dimension = source.root()["dimension"].value_or(3) == 2 ? 2 : 3};
+  SectionReader reader{.source = source, .dimension = source.root()["dimension"].value_or(3) == 2 ? 2 : 3};
   scene_keys().read(reader, "", source.root(), scene);
   complete_scene(scene, source);
   check_settings(scene, source);
@@ -34,7 +56,7 @@ Scene load_scene(const std::filesystem::path& file, const std::vector<std::strin
 }
 
 std::string resolved_scene_toml(const Scene& scene) {
-  SceneWriter writer{.dimension = scene.dimension, .text = ""};
+  SectionWriter writer{.dimension = scene.dimension, .text = ""};
   scene_keys().write(writer, "", scene);
   return writer.text;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/scene_source.hpp"
 #include "io/schema_value.hpp"
 #include "io/schema_walk.hpp"
+#include "io/toml_source.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -44,8 +44,8 @@ struct Key {
 template <class Owner>
 struct Section {
   std::string name;
-  std::function<void(SceneReader&, const std::string& path, const toml::node*, Owner&)> read;
-  std::function<void(SceneWriter&, const std::string& path, const Owner&)> write;
+  std::function<void(SectionReader&, const std::string& path, const toml::node*, Owner&)> read;
+  std::function<void(SectionWriter&, const std::string& path, const Owner&)> write;
   std::function<void(SchemaWriter&, const std::string& path)> describe;
 };
 
@@ -168,12 +168,12 @@ class KeyTable {
                const std::string& meaning) {
     sections_.push_back(
         {name,
-         [=](SceneReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
+         [=](SectionReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
            const toml::table empty;
            table.read(reader, path, node == nullptr ? empty : reader.section(path, *node),
                       std::invoke(field, owner));
          },
-         [=](SceneWriter& writer, const std::string& path, const Owner& owner) {
+         [=](SectionWriter& writer, const std::string& path, const Owner& owner) {
            writer.header(path, false);
            table.write(writer, path, std::invoke(field, owner));
          },
@@ -189,11 +189,11 @@ class KeyTable {
                         const std::string& meaning) {
     sections_.push_back(
         {name,
-         [=](SceneReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
+         [=](SectionReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
            if (node == nullptr) return;
            table.read(reader, path, reader.section(path, *node), std::invoke(field, owner).emplace());
          },
-         [=](SceneWriter& writer, const std::string& path, const Owner& owner) {
+         [=](SectionWriter& writer, const std::string& path, const Owner& owner) {
            if (!std::invoke(field, owner)) return;
            writer.header(path, false);
            table.write(writer, path, *std::invoke(field, owner));
@@ -211,7 +211,7 @@ class KeyTable {
             const std::string& alias_of = "") {
     sections_.push_back(
         {name,
-         [=](SceneReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
+         [=](SectionReader& reader, const std::string& path, const toml::node* node, Owner& owner) {
            if (node == nullptr) return;
            const toml::array* entries = node->as_array();
            if (entries == nullptr) reader.source.fail(path, "expected sections [[" + path + "]]");
@@ -222,7 +222,7 @@ class KeyTable {
                         std::invoke(field, owner).emplace_back());
            }
          },
-         [=](SceneWriter& writer, const std::string& path, const Owner& owner) {
+         [=](SectionWriter& writer, const std::string& path, const Owner& owner) {
            if (!alias_of.empty()) return;
            for (const Inner& entry : std::invoke(field, owner)) {
              writer.header(path, true);
@@ -235,7 +235,7 @@ class KeyTable {
          }});
   }
 
-  void read(SceneReader& reader, const std::string& path, const toml::table& values, Owner& owner) const {
+  void read(SectionReader& reader, const std::string& path, const toml::table& values, Owner& owner) const {
     const std::string prefix = path.empty() ? "" : path + ".";
     reject_unknown(reader, prefix, values);
     for (const Key<Owner>& key : keys_) {
@@ -257,7 +257,7 @@ class KeyTable {
     }
   }
 
-  void write(SceneWriter& writer, const std::string& path, const Owner& owner) const {
+  void write(SectionWriter& writer, const std::string& path, const Owner& owner) const {
     for (const Key<Owner>& key : keys_) {
       if (key.applies(owner, writer.dimension))
         writer.line(key.text.name, key.write(owner, writer.dimension));
@@ -276,7 +276,7 @@ class KeyTable {
 
  private:
   /// Remembers where every value stands, and stops at one that the table does not know.
-  void reject_unknown(SceneReader& reader, const std::string& prefix, const toml::table& values) const {
+  void reject_unknown(SectionReader& reader, const std::string& prefix, const toml::table& values) const {
     std::vector<std::string> accepted;
     for (const Key<Owner>& key : keys_) accepted.push_back(key.text.name);
     for (const Section<Owner>& inner : sections_) accepted.push_back(inner.name);

@@ -35,24 +35,24 @@ std::string wrapped(const std::string& lead, const std::string& text, std::size_
 
 std::string KeyText::expected() const { return unit.empty() ? type : fmt::format("{}, in {}", type, unit); }
 
-const toml::table& SceneReader::section(const std::string& path, const toml::node& node) const {
+const toml::table& SectionReader::section(const std::string& path, const toml::node& node) const {
   if (!node.is_table()) source.fail(path, fmt::format("expected a section [{}]", path));
   return *node.as_table();
 }
 
-void SceneReader::fail_unknown(const std::string& path, const std::string& name, const toml::node& node,
-                               const std::vector<std::string>& accepted) const {
+void SectionReader::fail_unknown(const std::string& path, const std::string& name, const toml::node& node,
+                                 const std::vector<std::string>& accepted) const {
   const std::string nearest = nearest_word(name, accepted);
   const std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
   source.fail(path, fmt::format("unknown {}; {}accepted here: {}", node.is_table() ? "section" : "key", hint,
                                 fmt::join(accepted, ", ")));
 }
 
-void SceneWriter::header(const std::string& path, bool repeated) {
+void SectionWriter::header(const std::string& path, bool repeated) {
   text += repeated ? fmt::format("\n[[{}]]\n", path) : fmt::format("\n[{}]\n", path);
 }
 
-void SceneWriter::line(const std::string& name, const std::string& value) {
+void SectionWriter::line(const std::string& name, const std::string& value) {
   if (!value.empty()) text += fmt::format("{} = {}\n", name, value);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/scene_source.hpp"
+#include "io/toml_source.hpp"
 
 #include <string>
 #include <vector>
@@ -22,8 +22,8 @@ struct KeyText {
 };
 
 /// Reads sections out of a source into their structures.
-struct SceneReader {
-  SceneSource& source;
+struct SectionReader {
+  TomlSource& source;
   int dimension = 3;
 
   /// The table under `path`, or an error if something else stands there.
@@ -33,7 +33,7 @@ struct SceneReader {
 };
 
 /// Collects the text of a resolved scene.
-struct SceneWriter {
+struct SectionWriter {
   int dimension = 3;
   std::string text;
 

@@ -18,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedIntArray.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -192,6 +193,28 @@ void write_depth(const std::filesystem::path& path, const DepthGrid& grid) {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   write_atomically(writer, path);
+}
+
+DepthGrid read_depth(const std::filesystem::path& path) {
+  const vtkNew<vtkXMLImageDataReader> reader;
+  read_completely(reader, path);
+  vtkImageData* image = reader->GetOutput();
+  const int columns = image->GetDimensions()[0] - 1;
+  const int rows = image->GetDimensions()[1] - 1;
+  if (columns < 1 || rows < 1) {
+    throw InputError(
+        fmt::format("{}: {} x {} cells: must be at least one each way", path.string(), columns, rows));
+  }
+  DepthGrid grid;
+  grid.time = take_double(path, image->GetFieldData(), "time");
+  grid.origin_x = image->GetOrigin()[0];
+  grid.origin_y = image->GetOrigin()[1];
+  grid.cell_size = image->GetSpacing()[0];
+  grid.columns = static_cast<std::size_t>(columns);
+  grid.rows = static_cast<std::size_t>(rows);
+  grid.depth.resize(grid.columns * grid.rows);
+  take_array<float>(path, "depth", image->GetCellData()->GetArray("depth"), grid.depth);
+  return grid;
 }
 
 }  // namespace eisph

@@ -26,4 +26,7 @@ void write_objects(const std::filesystem::path& path, const ObjectParticles& obj
 /// Depth grid (.vti): an image in the plane z = 0 with the depth as cell data and the time as field data.
 void write_depth(const std::filesystem::path& path, const DepthGrid& grid);
 
+/// The grid that write_depth() wrote.
+[[nodiscard]] DepthGrid read_depth(const std::filesystem::path& path);
+
 }  // namespace eisph

@@ -239,6 +239,27 @@ TEST(WriteDepth, MakesAnImageThatVtkReads) {
     EXPECT_EQ(depth->GetComponent(k, 0), grid.depth[static_cast<std::size_t>(k)]);
   }
   EXPECT_EQ(image->GetFieldData()->GetArray("time")->GetComponent(0, 0), 0.75);
+  const DepthGrid read = read_depth(folder / "depth.vti");
+  EXPECT_EQ(read.depth, grid.depth);
+  EXPECT_EQ(read.columns, 3U);
+  EXPECT_EQ(read.rows, 2U);
+  EXPECT_EQ(read.origin_x, -0.5);
+  EXPECT_EQ(read.origin_y, 0.25);
+  EXPECT_EQ(read.cell_size, 0.015);
+  EXPECT_EQ(read.time, 0.75);
+}
+
+TEST(ReadDepth, RefusesAFileThatIsCutShort) {
+  const TemporaryFolder folder;
+  DepthGrid grid;
+  grid.columns = grid.rows = 1;
+  grid.cell_size = 0.1;
+  grid.depth = {0.5F};
+  const auto path = folder / "depth.vti";
+  write_depth(path, grid);
+  const std::string text = text_of(path);
+  put_text(path, text.substr(0, text.size() / 2));
+  EXPECT_THAT(error_of<InputError>([&] { (void)read_depth(path); }), HasSubstr(path.string()));
 }
 
 TEST(WriteDepth, NamesThePathThatCannotBeWritten) {

@@ -162,21 +162,45 @@ void validate_aureli_test4(Validator& validator, CaseReport& report) {
   report.figures.push_back(run.frame("view", 0.75, "Frame at 0.75 s."));
 }
 
-void validate_aureli_test1(Validator& validator, CaseReport& report) {
+namespace {
+
+/// A test of the tank without a block that stands out of the water.
+void validate_flat_tank(Validator& validator, CaseReport& report, const std::string& scene,
+                        const std::string& figure) {
   const std::vector<double> times = {0.46, 1.16, 1.51, 2.22, 2.92};
   report.source = kSource + ", section 2.2.1";
-  report.description =
-      "The same tank without an obstacle: EISPH at 10 mm spacing, shallow water on 5 mm cells.";
   report.comparison =
       "Water depth on 15 mm cells at the five times of the photographs against shallow water.";
-  const ValidationRun run = validator.run({.scene = "aureli_test1",
+  const ValidationRun run = validator.run({.scene = scene,
                                            .label = "eisph",
                                            .overrides = {kDepthRules, kDepthCells},
                                            .states = times,
                                            .frames = true});
-  const ValidationRun shallow = shallow_water_run(validator, "aureli_test1", 3.0, times);
+  const ValidationRun shallow = shallow_water_run(validator, scene, 3.0, times);
   judge_depth(report, run, shallow, times);
-  add_depth_maps(report, run, shallow, times, "thesis figure 2.5");
+  add_depth_maps(report, run, shallow, times, figure);
+}
+
+}  // namespace
+
+void validate_aureli_test1(Validator& validator, CaseReport& report) {
+  report.description =
+      "The same tank without an obstacle: EISPH at 10 mm spacing, shallow water on 5 mm cells.";
+  validate_flat_tank(validator, report, "aureli_test1", "thesis figure 2.5");
+}
+
+void validate_aureli_test2(Validator& validator, CaseReport& report) {
+  report.description =
+      "The tank with 20 mm of water on its floor, our choice where the source is open: EISPH at 10 mm "
+      "spacing, shallow water on 5 mm cells.";
+  validate_flat_tank(validator, report, "aureli_test2", "laid out as thesis figure 2.5");
+}
+
+void validate_aureli_test3(Validator& validator, CaseReport& report) {
+  report.description =
+      "The tank with a block 50 mm high off its axis, size and place our choice where the source is open: "
+      "EISPH at 10 mm spacing, shallow water on 5 mm cells.";
+  validate_flat_tank(validator, report, "aureli_test3", "laid out as thesis figure 2.5");
 }
 
 namespace {

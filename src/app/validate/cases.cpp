@@ -23,6 +23,9 @@ const std::vector<ValidationCase>& validation_cases() {
       {"aureli_test4", "Dam break around an obstacle (Aureli et al., test 4)", true, validate_aureli_test4},
       {"aureli_half", "The same in half of the tank", false, validate_aureli_half},
       {"aureli_test1", "Dam break in a flat tank (Aureli et al., test 1)", false, validate_aureli_test1},
+      {"aureli_test2", "The same on a wet floor (Aureli et al., test 2)", false, validate_aureli_test2},
+      {"aureli_test3", "The same over a block under water (Aureli et al., test 3)", false,
+       validate_aureli_test3},
   };
   return cases;
 }

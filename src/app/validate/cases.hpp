@@ -41,6 +41,8 @@ void validate_lobovsky(Validator& validator, CaseReport& report);
 void validate_aureli_test4(Validator& validator, CaseReport& report);
 void validate_aureli_half(Validator& validator, CaseReport& report);
 void validate_aureli_test1(Validator& validator, CaseReport& report);
+void validate_aureli_test2(Validator& validator, CaseReport& report);
+void validate_aureli_test3(Validator& validator, CaseReport& report);
 
 // Metrics: with an upper limit, within limits, or for information.
 void add_at_most(CaseReport& report, const std::string& name, double value, double limit,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,12 +11,22 @@
 
 namespace eisph {
 
-/// A scene file as parsed, with the overrides of the command line laid over it, and the place that every key
-/// came from. Keys are addressed by dotted paths; elements of a list by their number from 0: "image.0.width".
-class SceneSource {
+/// What sort of file a TomlSource reads.
+struct TomlKind {
+  std::string expected;  ///< as in "a scene file (TOML) is expected"
+  std::string example;   ///< of an override
+  /// Completes the parsed file before the overrides are laid over it, except those of `first_key`.
+  std::function<void(toml::table&)> complete = [](toml::table&) {};
+  std::string first_key = {};
+};
+
+/// A file as parsed, with the overrides of the command line laid over it, and the place that every key came
+/// from. Keys are addressed by dotted paths; elements of a list by their number from 0: "image.0.width".
+class TomlSource {
  public:
   /// Throws InputError for a file that cannot be read or is not TOML, and for an override that has no place.
-  SceneSource(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  TomlSource(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+             const TomlKind& kind);
 
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] std::string file() const { return file_; }
@@ -37,8 +48,7 @@ class SceneSource {
     std::string value;  ///< empty for a table
   };
 
-  void apply_override(const std::string& assignment);
-  void add_default_images();
+  void apply_override(const std::string& assignment, const std::string& example);
   [[nodiscard]] std::string place_of(const std::string& path) const;
 
   std::string file_;

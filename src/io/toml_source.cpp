@@ -1,4 +1,4 @@
-#include "io/scene_source.hpp"
+#include "io/toml_source.hpp"
 
 #include "core/error.hpp"
 #include "io/schema_value.hpp"
@@ -18,11 +18,11 @@ namespace eisph {
 
 namespace {
 
-std::string read_whole(const std::filesystem::path& file) {
+std::string read_whole(const std::filesystem::path& file, const std::string& expected) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!std::filesystem::is_regular_file(file) || !stream || !(text << stream.rdbuf())) {
-    throw InputError(fmt::format("{}: cannot be read; a scene file (TOML) is expected", file.string()));
+    throw InputError(fmt::format("{}: cannot be read; {} is expected", file.string(), expected));
   }
   return text.str();
 }
@@ -68,40 +68,29 @@ std::string element_names(const toml::array& list) {
 
 }  // namespace
 
-SceneSource::SceneSource(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+TomlSource::TomlSource(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                       const TomlKind& kind)
     : file_(file.string()) {
-  const std::string text = read_whole(file);
+  const std::string text = read_whole(file, kind.expected);
   try {
     root_ = toml::parse(text, std::string_view(file_));
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", file_, error.source().begin.line,
                                  std::string_view(error.description())));
   }
-  // The images that stand in for missing ones depend on the dimension, and may be overridden themselves.
-  std::vector<std::string> ordered = overrides;
-  std::stable_partition(ordered.begin(), ordered.end(),
-                        [](const std::string& assignment) { return assignment.rfind("dimension", 0) == 0; });
-  bool images_settled = false;
-  for (const std::string& assignment : ordered) {
-    if (!images_settled && assignment.rfind("dimension", 0) != 0) {
-      add_default_images();
-      images_settled = true;
-    }
-    apply_override(assignment);
+  const auto comes_first = [&kind](const std::string& assignment) {
+    return !kind.first_key.empty() && assignment.rfind(kind.first_key, 0) == 0;
+  };
+  for (const std::string& assignment : overrides) {
+    if (comes_first(assignment)) apply_override(assignment, kind.example);
   }
-  if (!images_settled) add_default_images();
+  kind.complete(root_);
+  for (const std::string& assignment : overrides) {
+    if (!comes_first(assignment)) apply_override(assignment, kind.example);
+  }
 }
 
-void SceneSource::add_default_images() {
-  if (root_.contains("image")) return;
-  toml::array images;
-  images.push_back(toml::table{{"name", "particles"}});
-  if (root_["dimension"].value_or(3) == 3)
-    images.push_back(toml::table{{"name", "depth"}, {"kind", "depth_map"}});
-  root_.insert_or_assign("image", std::move(images));
-}
-
-void SceneSource::apply_override(const std::string& assignment) {
+void TomlSource::apply_override(const std::string& assignment, const std::string& example) {
   const auto reject = [&](const std::string& problem) {
     throw InputError(fmt::format("{}, --set {}: {}", file_, assignment, problem));
   };
@@ -109,7 +98,7 @@ void SceneSource::apply_override(const std::string& assignment) {
   std::vector<std::string> parts = split_path(assignment.substr(0, equals));
   const bool blank = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
   if (equals == std::string::npos || parts.empty() || blank) {
-    reject("expected section.key=value, for example particles.spacing=0.01 or image.0.width=640");
+    reject("expected section.key=value, for example " + example);
   }
   toml::table* table = &root_;
   std::string path;
@@ -134,12 +123,12 @@ void SceneSource::apply_override(const std::string& assignment) {
   overrides_[path + (path.empty() ? "" : ".") + parts.back()] = assignment;
 }
 
-std::string SceneSource::place_of(const std::string& path) const {
+std::string TomlSource::place_of(const std::string& path) const {
   const auto found = overrides_.find(path);
   return found == overrides_.end() ? std::string() : fmt::format("{}, --set {}", file_, found->second);
 }
 
-void SceneSource::record(const std::string& path, const toml::node& node) {
+void TomlSource::record(const std::string& path, const toml::node& node) {
   // A table that only an override mentions has no line; it takes the place of the first such override.
   const auto below = overrides_.lower_bound(path + ".");
   const auto line = node.source().begin.line;
@@ -152,17 +141,17 @@ void SceneSource::record(const std::string& path, const toml::node& node) {
   entries_[path] = entry;
 }
 
-std::size_t SceneSource::list_size(const std::string& name) const {
+std::size_t TomlSource::list_size(const std::string& name) const {
   const toml::array* list = root_[name].as_array();
   return list == nullptr ? 0 : list->size();
 }
 
-void SceneSource::fail(const std::string& path, const std::string& problem) const {
+void TomlSource::fail(const std::string& path, const std::string& problem) const {
   const auto found = entries_.find(path);
   fail(path, found == entries_.end() ? std::string() : found->second.value, problem);
 }
 
-void SceneSource::fail(const std::string& path, const std::string& value, const std::string& problem) const {
+void TomlSource::fail(const std::string& path, const std::string& value, const std::string& problem) const {
   std::string place = file_;
   for (std::string ancestor = path; !ancestor.empty();) {
     const auto found = entries_.find(ancestor);
