@@ -15,12 +15,16 @@
 namespace eisph {
 namespace {
 
-PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan) {
+PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan,
+                           const InSituSettings& settings) {
   PipelineStages stages;
   if (plan.has_records() || plan.has_frames()) {
-    stages.make_write = [&scene, &files] {
+    stages.make_write = [&scene, &files, &settings] {
       auto stage = std::make_shared<RecordStage>(scene, files);
-      return [stage](const Publication& publication) { stage->write(publication); };
+      return [stage, &settings](const Publication& publication) {
+        stage->write(publication);
+        if (publication.due.comparison && settings.compare) settings.compare(*publication.snapshot);
+      };
     };
   }
   if (!plan.has_frames()) return stages;
@@ -96,8 +100,8 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
                        const std::function<bool()>& stop_requested) {
   const OutputPlan plan(scene, settings.frames);
   const QueuePolicy policy = scene.output.latest_frame_only ? QueuePolicy::LatestOnly : QueuePolicy::KeepAll;
-  Pipeline pipeline(make_stages(scene, files, plan), static_cast<std::size_t>(scene.output.queue_length),
-                    policy);
+  Pipeline pipeline(make_stages(scene, files, plan, settings),
+                    static_cast<std::size_t>(scene.output.queue_length), policy);
 
   std::string status = "finished";
   std::string message;

@@ -18,6 +18,8 @@ struct InSituSettings {
   bool frames = true;
   /// Is handed every published state, on the thread of the simulation; may be empty.
   std::function<void(const std::shared_ptr<const Snapshot>&)> observer = {};
+  /// Is handed the states at the times of Scene::output.comparison, on the thread that records; may be empty.
+  std::function<void(const Snapshot&)> compare = {};
 };
 
 /// Runs a simulation with everything beside it: records and frames go to the folder of the run, which has to

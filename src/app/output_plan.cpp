@@ -29,6 +29,7 @@ std::size_t count_due(const Schedule& schedule, double time) { return count_due_
 OutputPlan::OutputPlan(const Scene& scene, bool frames)
     : particles_(scene.output.particles),
       depth_(scene.output.depth),
+      comparison_(scene.output.comparison),
       image_count_(scene.images.size()),
       draw_frames_(frames) {
   const auto add_probe = [this](double interval) {
@@ -44,10 +45,13 @@ OutputPlan::OutputPlan(const Scene& scene, bool frames)
   }
 }
 
-bool OutputPlan::has_records() const { return !particles_.empty() || !depth_.empty() || !probes_.empty(); }
+bool OutputPlan::has_records() const {
+  return !particles_.empty() || !depth_.empty() || !comparison_.empty() || !probes_.empty();
+}
 
 double OutputPlan::next_after(double time) const {
   double next = std::min(particles_.next_after(time, kTolerance), depth_.next_after(time, kTolerance));
+  next = std::min(next, comparison_.next_after(time, kTolerance));
   for (const Schedule& probe : probes_) next = std::min(next, probe.next_after(time, kTolerance));
   for (const ImageSchedule& image : frames_)
     next = std::min(next, image.schedule.next_after(time, kTolerance));
@@ -58,6 +62,7 @@ DueOutputs OutputPlan::due_at(double time) const {
   DueOutputs due;
   due.particles = particles_.is_due(time, kTolerance);
   due.depth = depth_.is_due(time, kTolerance);
+  due.comparison = comparison_.is_due(time, kTolerance);
   due.probes = std::any_of(probes_.begin(), probes_.end(),
                            [time](const Schedule& probe) { return probe.is_due(time, kTolerance); });
   if (!draw_frames_) return due;

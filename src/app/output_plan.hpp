@@ -17,10 +17,11 @@ struct DueFrame {
 struct DueOutputs {
   bool particles = false;
   bool depth = false;
+  bool comparison = false;
   bool probes = false;
   std::vector<DueFrame> frames;
 
-  [[nodiscard]] bool any() const { return particles || depth || probes || !frames.empty(); }
+  [[nodiscard]] bool any() const { return particles || depth || comparison || probes || !frames.empty(); }
 };
 
 /// How much of everything a whole run writes.
@@ -57,6 +58,7 @@ class OutputPlan {
 
   Schedule particles_;
   Schedule depth_;
+  Schedule comparison_;
   std::vector<Schedule> probes_;
   std::vector<ImageSchedule> frames_;
   std::size_t image_count_ = 0;  ///< of the scene, those without a schedule too

@@ -1,6 +1,6 @@
+#include "compare/html_parts.hpp"
 #include "compare/html_text.hpp"
 #include "compare/report.hpp"
-#include "compare/report_style.hpp"
 #include "compare/whole_file.hpp"
 
 #include <cmath>
@@ -40,25 +40,11 @@ std::string result_text(bool holds) {
   return holds ? R"(<span class="holds">holds</span>)" : R"(<span class="fails">DOES NOT HOLD</span>)";
 }
 
-std::string paragraph(const std::string& text) {
-  return text.empty() ? "" : "<p>" + html_escaped(text) + "</p>\n";
-}
-
 std::string labelled(const std::string& label, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p><b>{}</b> {}</p>\n", label, html_escaped(text));
 }
 
-std::string header_cells(const std::vector<std::string>& names) {
-  std::string row = "<tr>";
-  for (const std::string& name : names) row += "<th>" + html_escaped(name) + "</th>";
-  return row + "</tr>\n";
-}
-
 std::string number_cell(const std::string& text) { return "<td class=\"number\">" + text + "</td>"; }
-
-std::string table_of(const std::string& rows) {
-  return "<div class=\"scroll\"><table>\n" + rows + "</table></div>\n";
-}
 
 std::string earlier_cells(const CaseReport& report, const std::string& metric, const EarlierValues* earlier) {
   if (earlier == nullptr) return "";
@@ -83,23 +69,7 @@ std::string metric_table(const CaseReport& report, const EarlierValues* earlier)
             (metric.has_limit() ? result_text(!fails) : "for information") + "</td>" +
             earlier_cells(report, metric.name, earlier) + "<td>" + html_escaped(metric.note) + "</td></tr>\n";
   }
-  return table_of(rows);
-}
-
-std::string text_table(const ReportTable& table) {
-  std::string rows = header_cells(table.columns);
-  for (const std::vector<std::string>& row : table.rows) {
-    rows += "<tr>";
-    for (const std::string& cell : row) rows += "<td>" + html_escaped(cell) + "</td>";
-    rows += "</tr>\n";
-  }
-  return "<h3>" + html_escaped(table.caption) + "</h3>\n" + table_of(rows);
-}
-
-std::string figure_html(const ReportFigure& figure) {
-  return fmt::format(
-      "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\">\n<figcaption>{0}</figcaption></figure>\n",
-      html_escaped(figure.caption), base64(read_whole_file(figure.path)));
+  return html_rows(rows);
 }
 
 std::string run_table(const CaseReport& report, const EarlierValues* earlier) {
@@ -111,7 +81,7 @@ std::string run_table(const CaseReport& report, const EarlierValues* earlier) {
             "<td>" + html_escaped(metric.unit) + "</td>" + earlier_cells(report, metric.name, earlier) +
             "</tr>\n";
   }
-  return "<h3>Runs</h3>\n" + table_of(rows);
+  return "<h3>Runs</h3>\n" + html_rows(rows);
 }
 
 std::string anchor(std::size_t number) { return fmt::format("case-{}", number + 1); }
@@ -126,10 +96,10 @@ std::string case_section(const CaseReport& report, std::size_t number, const Ear
                         html_escaped(report.failure));
   }
   html += metric_table(report, earlier);
-  for (const ReportFigure& figure : report.figures) html += figure_html(figure);
-  for (const ReportTable& table : report.tables) html += text_table(table);
+  for (const ReportFigure& figure : report.figures) html += html_figure(figure);
+  for (const ReportTable& table : report.tables) html += html_table(table);
   if (!report.notes.empty()) html += "<h3>Notes</h3>\n";
-  for (const std::string& note : report.notes) html += paragraph(note);
+  for (const std::string& note : report.notes) html += html_paragraph(note);
   if (report.run.steps > 0) html += run_table(report, earlier);
   return html;
 }
@@ -167,7 +137,7 @@ std::string summary_table(const Report& report) {
             number_cell(has_run ? fmt::format("{:.2f}", 1e-6 * one.run.particle_steps_per_second) : "") +
             "</tr>\n";
   }
-  return table_of(rows);
+  return html_rows(rows);
 }
 
 std::string verdict(const Report& report) {
@@ -196,7 +166,7 @@ std::string missing_table(const std::vector<MetricChange>& changes) {
   }
   if (rows.empty()) return "";
   return "<h2>Only in the earlier report</h2>\n" +
-         table_of(header_cells({"Case", "Quantity", "Earlier value"}) + rows);
+         html_rows(html_header_row({"Case", "Quantity", "Earlier value"}) + rows);
 }
 
 std::string header_html(const ReportHeader& header, const Report* earlier) {
@@ -221,16 +191,12 @@ void write_report_html(const std::filesystem::path& path, const Report& report, 
     changes = report_changes(report, *earlier);
     for (const MetricChange& change : changes) earlier_values[{change.case_name, change.metric}] = change;
   }
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>eisph: validation</title>\n<style>{}</style></head><body>\n",
-      kReportStyle);
+  std::string html = html_page_start("eisph: validation");
   html += header_html(report.header, earlier) + verdict(report) + summary_table(report);
   for (std::size_t k = 0; k < report.cases.size(); ++k) {
     html += case_section(report.cases[k], k, earlier != nullptr ? &earlier_values : nullptr);
   }
-  html += missing_table(changes) + "</body></html>\n";
+  html += missing_table(changes) + html_page_end();
   write_whole_file(path, html);
 }
 

@@ -186,6 +186,7 @@ struct OutputSettings {
   Schedule frames;               ///< of the images that have no schedule of their own
   Schedule particles;            ///< .vtp files
   Schedule depth;                ///< .vti depth grids
+  Schedule comparison;           ///< times of the photographs of Scene::comparison; not a key
   double ledger_interval = 0.0;  ///< s, of the leading edge and the ledger; 0: at the times of other outputs
   double depth_cell_size = 0.0;  ///< m, default 1.5 dx
   DepthRule depth_rule = DepthRule::HighestParticle;
@@ -199,6 +200,7 @@ struct Scene {
   std::string name;   ///< folder of the outputs
   std::string title;  ///< on frames
   std::string source_file;
+  std::string comparison;  ///< comparison file carried out beside the run; empty: none
   int dimension = 3;
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m

@@ -108,6 +108,10 @@ void complete_probes(Scene& scene) {
 void complete_scene(Scene& scene, const TomlSource& source) {
   if (!source.given("name")) scene.name = name_of_file(source.file());
   if (!source.given("title")) scene.title = scene.name;
+  if (!scene.comparison.empty()) {
+    const auto folder = std::filesystem::absolute(source.file()).parent_path();
+    scene.comparison = (folder / scene.comparison).lexically_normal().string();
+  }
   if (!source.given("fluid.reference_depth")) scene.reference_depth = water_depth(scene);
   if (scene.scheme.stepping == Stepping::Thesis) {
     if (!source.given("scheme.phi")) scene.scheme.phi = kThesisPhi;

@@ -214,6 +214,20 @@ KeyTable<Scene> scene_keys() {
                "3, or 2 for the vertical plane y = 0, where all positions are [x, z].");
   keys.identifier("name", &Scene::name, "Folder of the outputs.").fallback("the name of the file");
   keys.string("title", &Scene::title, "Heading of the frames.").fallback("the name");
+  keys.add(
+          {.name = "comparison",
+           .type = "a path, from the folder of this file",
+           .meaning =
+               "Comparison file (see eisph compare --schema) that is carried out while the scene runs; "
+               "3D only."},
+          [](const toml::node& node, int, Scene& scene) {
+            return read_text(node, scene.comparison) && !scene.comparison.empty();
+          },
+          [](const Scene& scene, int) {
+            return scene.comparison.empty() ? std::string() : write_text(scene.comparison);
+          })
+      .fallback("none")
+      .when("with dimension = 3", [](const Scene&, int dimension) { return dimension == 3; });
   keys.number("end_time", "s", &Scene::end_time, above(0.0), "Time at which the run ends.").required();
   keys.vector("gravity", "m/s^2", &Scene::gravity, "Acceleration of gravity; not zero. Keep z the vertical.");
   keys.section("particles", kSelf, particle_keys(), "Resolution.");

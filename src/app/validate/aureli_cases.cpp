@@ -113,10 +113,6 @@ ValidationRun shallow_water_run(Validator& validator, const std::string& scene, 
        .frames = true});
 }
 
-Plot gauge_plot(const std::string& title) {
-  return {.title = title, .x_label = "time t [s]", .y_label = "water level [m]", .series = {}};
-}
-
 void add_gauge_series(Plot& plot, const ValidationRun& run, const std::string& label) {
   const NumberTable table = run.table("gauge_gauge");
   plot.series.push_back({.label = label + ", free surface", .curve = table.curve("time", "surface")});
@@ -124,6 +120,19 @@ void add_gauge_series(Plot& plot, const ValidationRun& run, const std::string& l
   plot.series.push_back({.label = label + ", highest particle",
                          .curve = table.curve("time", "level"),
                          .style = SeriesStyle::Dotted});
+}
+
+void add_gauge_figure(Validator& validator, CaseReport& report, const ValidationRun& run,
+                      const ValidationRun& shallow, const std::string& figure) {
+  Plot plot{.title = "Water level at x = 1.674 m, y = 0.022 m",
+            .x_label = "time t [s]",
+            .y_label = "water level [m]",
+            .series = {}};
+  add_gauge_series(plot, run, "EISPH");
+  add_gauge_series(plot, shallow, "shallow water");
+  const auto path = validator.figure_path("gauge");
+  write_plot(path, plot);
+  report.figures.push_back({path, fmt::format("Water level at the gauge ({}).", figure)});
 }
 
 }  // namespace
@@ -151,13 +160,7 @@ void validate_aureli_test4(Validator& validator, CaseReport& report) {
   add_at_most(report, "worst compression", 100.0 * run.summary.compression_max, 10.0, "%");
   add_at_most(report, "energy gain", 100.0 * run.summary.energy_gain_max / run.summary.energy_initial, 0.5,
               "%");
-
-  Plot plot = gauge_plot("Water level at x = 1.674 m, y = 0.022 m");
-  add_gauge_series(plot, run, "EISPH");
-  add_gauge_series(plot, shallow, "shallow water");
-  const auto path = validator.figure_path("gauge");
-  write_plot(path, plot);
-  report.figures.push_back({path, "Water level at the gauge (thesis figure 4.15)."});
+  add_gauge_figure(validator, report, run, shallow, "thesis figure 4.15");
   add_depth_maps(report, run, shallow, times, "thesis figure 4.13, right");
   report.figures.push_back(run.frame("view", 0.75, "Frame at 0.75 s."));
 }
@@ -293,12 +296,7 @@ void validate_aureli_half(Validator& validator, CaseReport& report) {
                                            .frames = true});
   const ValidationRun shallow = shallow_water_run(validator, "aureli_test4_half", 2.9, times);
   judge_depth(report, run, shallow, times);
-  Plot plot = gauge_plot("Water level at x = 1.674 m, y = 0.022 m, half domain");
-  add_gauge_series(plot, run, "EISPH");
-  add_gauge_series(plot, shallow, "shallow water");
-  const auto path = validator.figure_path("gauge");
-  write_plot(path, plot);
-  report.figures.push_back({path, "Water level at the gauge (thesis figure 4.26)."});
+  add_gauge_figure(validator, report, run, shallow, "thesis figure 4.26");
   add_depth_maps(report, run, shallow, times, "thesis figure 4.23, right");
   report.figures.push_back(run.frame("view", 0.75, "Frame at 0.75 s (thesis figure 4.25)."));
 }
