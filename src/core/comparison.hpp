@@ -87,7 +87,7 @@ struct RimSettings {
   double band = 0.03;  ///< m from walls and solids
   RimDetection detection = RimDetection::Detect;
   RimFill fill = RimFill::NearestPlus10;
-  std::vector<std::vector<PlanePoint>> polygons;  ///< further dark areas, m
+  std::vector<std::vector<PlanePoint>> polygons = {};  ///< further dark areas, m
 
   bool operator==(const RimSettings&) const = default;
 };
