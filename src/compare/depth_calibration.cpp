@@ -223,6 +223,7 @@ void DepthCalibration::prepare_pixels(const std::vector<CalibrationStep>& steps,
 }
 
 CalibratedDepth DepthCalibration::depth_of(std::size_t pixel, float level) const {
+  if (points_.empty()) return {kNone, LevelRange::Unusable};
   if (levels_.empty())
     return on_curve(
         points_, [this](std::size_t k) { return points_[k].level; }, tolerance_, level);

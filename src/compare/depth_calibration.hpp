@@ -40,6 +40,8 @@ struct CalibrationPoint {
 /// cubic (Fritsch & Butland's slopes, SIAM J. Sci. Stat. Comput. 5, 1984); beyond them there is none.
 class DepthCalibration {
  public:
+  /// Without any point: no level has a depth.
+  static DepthCalibration none() { return {}; }
   /// One curve for all pixels. Throws InputError for fewer than two points, and for two whose level does not
   /// fall as depth rises. `tolerance` in levels (0 to 1); default 2/255.
   static DepthCalibration from_points(std::vector<CalibrationPoint> points,

@@ -114,8 +114,9 @@ struct ComparisonImages {
 struct Comparison {
   std::string source_file;  ///< where it was read from
   std::string title;
-  bool synthetic = false;     ///< the photographs are computed: every picture and the report say so
-  std::filesystem::path run;  ///< folder of the run; empty: named on the command line or run in situ
+  bool synthetic = false;           ///< the photographs are computed: every picture and the report say so
+  std::filesystem::path run;        ///< folder of the run; empty: named on the command line or run in situ
+  std::filesystem::path other_run;  ///< folder of a run drawn beside it, half by half; empty: none
   std::string experiment = "experiment";  ///< what the photographs show, for captions
   /// Part of the floor that the photographs show, m: lower and upper corner. Default: all of it.
   std::optional<std::array<double, 4>> area;

@@ -31,8 +31,9 @@ void resolve_paths(Comparison& comparison, const TomlSource& source) {
             source);
   if (!comparison.registration.outline.empty())
     resolve(comparison.registration.outline, "registration.outline", source);
-  if (!comparison.run.empty() && comparison.run.is_relative()) {
-    comparison.run = (std::filesystem::path(source.file()).parent_path() / comparison.run).lexically_normal();
+  for (std::filesystem::path* run : {&comparison.run, &comparison.other_run}) {
+    if (run->empty() || run->is_absolute()) continue;
+    *run = (std::filesystem::path(source.file()).parent_path() / *run).lexically_normal();
   }
 }
 

@@ -261,6 +261,9 @@ KeyTable<Comparison> comparison_keys() {
                "The photographs are computed; the report and all pictures say so.");
   add_path_key(keys, "run", &Comparison::run, "Folder of the run to compare with.")
       .fallback("the one named on the command line");
+  add_path_key(keys, "other_run", &Comparison::other_run,
+               "Folder of a second run, whose lower half is drawn below the upper half of the first.")
+      .fallback("none");
   add_area_key(keys);
   add_weights_key(keys);
   keys.list("photograph", &Comparison::photographs, photograph_keys(), "A photograph of the wave.");
