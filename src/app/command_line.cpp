@@ -2,7 +2,9 @@
 
 #include "app/build_info.hpp"
 #include "app/commands.hpp"
+#include "app/comparison/synthetic_settings.hpp"
 #include "core/error.hpp"
+#include "io/comparison_file.hpp"
 #include "io/host.hpp"
 #include "io/scene_file.hpp"
 #include "render/frame_renderer.hpp"
@@ -25,6 +27,8 @@ struct CommandLine {
   CheckOptions check;
   RenderOptions render;
   ValidateOptions validate;
+  CompareOptions compare;
+  PhotographOptions photograph;
   bool schema = false;
   std::function<int()> command;
 };
@@ -41,6 +45,14 @@ void add_threads(CLI::App& app, int& threads) {
       ->type_name("N")
       ->check(CLI::Range(1, kThreadsMax).description(""))
       ->capture_default_str();
+}
+
+/// Prints a reference instead of carrying the command out.
+void print_instead(CommandLine& line, std::string (*text)()) {
+  line.command = [text] {
+    std::cout << text();
+    return static_cast<int>(kSuccess);
+  };
 }
 
 void add_run(CLI::App& app, CommandLine& line) {
@@ -65,13 +77,7 @@ void add_check(CLI::App& app, CommandLine& line) {
   add_threads(*command, line.check.threads);
   command->add_flag("--schema", line.schema, "Print the reference of all keys of a scene file");
   command->callback([&line, scene] {
-    if (line.schema) {
-      line.command = [] {
-        std::cout << scene_schema_text();
-        return static_cast<int>(kSuccess);
-      };
-      return;
-    }
+    if (line.schema) return print_instead(line, scene_schema_text);
     if (scene->count() == 0) throw CLI::RequiredError("SCENE");
     line.command = [&line] { return check_command(line.check, std::cout); };
   });
@@ -112,6 +118,51 @@ void add_validate(CLI::App& app, CommandLine& line) {
       [&line] { line.command = [&line] { return validate_command(line.validate, std::cout, std::cerr); }; });
 }
 
+void add_compare(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("compare", "Compare a run with photographs of an experiment");
+  CLI::Option* file = command->add_option("COMPARISON", line.compare.comparison, "Comparison file (.toml)")
+                          ->type_name("FILE");
+  command->add_option("--run", line.compare.run, "Folder of the run [the one that the file names]")
+      ->type_name("DIR");
+  command->add_option("--out", line.compare.out, "Folder of the comparison [RUN/comparison]")
+      ->type_name("DIR");
+  add_overrides(*command, line.compare.overrides);
+  command->add_flag("--schema", line.schema, "Print the reference of all keys of a comparison file");
+  command->add_flag("--quiet", line.compare.quiet, "Print nothing but errors");
+  command->callback([&line, file] {
+    if (line.schema) return print_instead(line, comparison_schema_text);
+    if (file->count() == 0) throw CLI::RequiredError("COMPARISON");
+    line.command = [&line] { return compare_command(line.compare, std::cout); };
+  });
+}
+
+void add_photograph(CLI::App& app, CommandLine& line) {
+  CLI::App* command =
+      app.add_subcommand("photograph", "Make synthetic photographs of a run, to try compare on");
+  PhotographOptions& options = line.photograph;
+  CLI::Option* folder =
+      command->add_option("RUN_FOLDER", options.run_folder, "Folder of a run")->type_name("DIR");
+  command->add_option("--camera", options.camera, "Camera file (.toml) [assets/synthetic_camera.toml]")
+      ->type_name("FILE");
+  command->add_option("--set", options.overrides, "Set a key of the camera file; may be given again")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--time", options.times, "Photograph only this time, s; may be given again")
+      ->type_name("T")
+      ->allow_extra_args(false);
+  command->add_option("--area", options.area, "Part of the floor: x_min y_min x_max y_max, m [all of it]")
+      ->type_name("M");
+  command->add_option("--out", options.out, "Folder of the photographs [RUN_FOLDER/photographs]")
+      ->type_name("DIR");
+  command->add_flag("--schema", line.schema, "Print the reference of all keys of a camera file");
+  command->add_flag("--quiet", options.quiet, "Print nothing but errors");
+  command->callback([&line, folder] {
+    if (line.schema) return print_instead(line, synthetic_schema_text);
+    if (folder->count() == 0) throw CLI::RequiredError("RUN_FOLDER");
+    line.command = [&line] { return photograph_command(line.photograph, std::cout); };
+  });
+}
+
 /// Fills `line`; the exit code where there is nothing to run (help, version, an error).
 std::optional<int> parse(CLI::App& app, int argc, const char* const* argv) {
   try {
@@ -140,6 +191,8 @@ int run_program(int argc, const char* const* argv) {
     add_check(app, line);
     add_render(app, line);
     add_validate(app, line);
+    add_compare(app, line);
+    add_photograph(app, line);
     if (const auto code = parse(app, argc, argv)) return *code;
     limit_software_renderer_threads();  // before any command starts threads
     return line.command();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
@@ -59,5 +60,31 @@ struct ValidateOptions {
 /// Runs cases, compares them with theory and measurement and writes report.html and report.json. Returns the
 /// exit code: kLimitsMissed if a limit does not hold.
 [[nodiscard]] int validate_command(const ValidateOptions& options, std::ostream& out, std::ostream& progress);
+
+struct CompareOptions {
+  std::filesystem::path comparison;
+  std::vector<std::string> overrides;
+  std::optional<std::filesystem::path> run;  ///< folder of the run; default: the one that the file names
+  std::optional<std::filesystem::path> out;  ///< default <run>/comparison
+  bool quiet = false;
+};
+
+/// Compares a run's saved depths with photographs and writes pictures, statistics and a report. Throws
+/// InputError before anything is written.
+[[nodiscard]] int compare_command(const CompareOptions& options, std::ostream& out);
+
+struct PhotographOptions {
+  std::filesystem::path run_folder;
+  std::optional<std::filesystem::path> camera;  ///< settings file
+  std::vector<std::string> overrides;
+  std::vector<double> times;                  ///< s; empty: all saved times
+  std::optional<std::filesystem::path> out;   ///< default <run>/photographs
+  std::optional<std::array<double, 4>> area;  ///< x_min, y_min, x_max, y_max, m
+  bool quiet = false;
+};
+
+/// Makes synthetic photographs of a run, of the empty tank and of still water, and the comparison file that
+/// goes with them.
+[[nodiscard]] int photograph_command(const PhotographOptions& options, std::ostream& out);
 
 }  // namespace eisph

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/comparison/in_situ_comparison.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress.hpp"
 #include "app/run_files.hpp"
@@ -61,14 +62,23 @@ void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles&
 
 int run_command(const RunOptions& options, std::ostream& out, std::ostream& progress_out) {
   const InterruptWatcher interrupt;
-  const Scene scene = load_scene(options.scene, options.overrides);
+  Scene scene = load_scene(options.scene, options.overrides);
   const double end_time = end_time_of(scene, options);
   const RunFiles files{options.out.value_or(std::filesystem::path("out") / scene.name)};
   check_run_folder(files, scene.name);
+  InSituComparison comparison(scene, files.folder / "comparison");
   ProgressReporter progress(progress_out, progress_style_of_terminal(options.quiet), terminal_width());
-  const RunSummary summary = run_scene(scene, files, {end_time, options.frames}, options.threads, progress,
-                                       [&interrupt] { return interrupt.requested(); });
-  if (!options.quiet) print_summary(out, summary, files);
+  const RunSummary summary = run_scene(
+      scene, files,
+      {.end_time = end_time, .frames = options.frames, .observer = {}, .compare = comparison.observer()},
+      options.threads, progress, [&interrupt] { return interrupt.requested(); });
+  comparison.finish();
+  if (!options.quiet) {
+    print_summary(out, summary, files);
+    if (comparison.compared() > 0)
+      fmt::print(out, "  {:<22}{} times, {}\n", "comparison", comparison.compared(),
+                 comparison.report().string());
+  }
   if (summary.status == "blown_up") throw BlowUpError(summary.message);
   return summary.status == "interrupted" ? kInterrupted : kSuccess;
 }

@@ -1,6 +1,7 @@
 #include "app/scene_report.hpp"
 
 #include "app/output_plan.hpp"
+#include "io/comparison_file.hpp"
 
 #include <fmt/format.h>
 
@@ -126,6 +127,11 @@ std::string scene_report(const Scene& scene, const SimulationPlan& plan, std::ui
   report.row("depth grids",
              counts.depth == 0 ? std::string("none") : fmt::format("{} .vti files", counts.depth));
   add_tables(report, scene, counts);
+  if (!scene.comparison.empty()) {
+    const Comparison comparison = load_comparison(scene.comparison);
+    report.row("comparison",
+               fmt::format("with {} photographs, {}", comparison.photographs.size(), scene.comparison));
+  }
   return report.text();
 }
 

@@ -216,8 +216,7 @@ Image ComparisonPainter::overlay(const ComparisonHeading& heading, const DepthSi
   };
   paint(sheet, {.number = 0, .colour = colour, .solids = true}, simulation.grid.time);
   label(sheet, 0,
-        fmt::format("grey: {}; red: {}, deeper than {:g} mm", simulation.label, photograph.label,
-                    dry_depth / kMillimetre));
+        fmt::format("grey: simulation; red: deeper than {:g} mm in the photograph", dry_depth / kMillimetre));
   finish(sheet, legend, map, 0.0, depth);
   return std::move(sheet.image);
 }
@@ -232,9 +231,7 @@ Image ComparisonPainter::deviation(const ComparisonHeading& heading, const Depth
     return a && b ? map.at(0.5 + 0.5 * (*a - *b) / range) : hatched(column, row);
   };
   paint(sheet, {.number = 0, .colour = colour, .solids = true}, simulation.grid.time);
-  label(sheet, 0,
-        fmt::format("{} minus {}; red: simulation deeper; hatched: not compared", simulation.label,
-                    photograph.label));
+  label(sheet, 0, "simulation minus photograph; hatched: not compared");
   finish(sheet, legend, map, -range, range);
   return std::move(sheet.image);
 }
@@ -302,14 +299,16 @@ Image ComparisonPainter::grid_over_photograph(const ComparisonHeading& heading,
     fill_rectangle(image, {x - 2, y, width + 4, text + 1}, colours.page);
     font.draw(image, x, y, mark.name, colours.text);
   }
-  const std::string lines = every == 1 ? "every line" : fmt::format("every {}th line", every);
-  font.draw(image, text / 2, text / 4, font.shortened(heading.title, image.width - text), colours.text);
+  const std::string lines = every == 1 ? "all lines" : fmt::format("one line of {}", every);
+  const int room = image.width - text;
+  font.draw(image, text / 2, text / 4,
+            font.shortened(fmt::format("{}; {}, {}", heading.title, photograph.label, heading.time), room),
+            colours.text);
   font.draw(
       image, text / 2, text / 4 + text * 5 / 4,
-      font.shortened(
-          fmt::format("{}; cells of {:g} mm, {}; red: edge of the area compared; crosses: reference points",
-                      photograph.label, cells.cell_size / kMillimetre, lines),
-          image.width - text),
+      font.shortened(fmt::format("cells of {:g} mm, {} drawn; red: area compared; crosses: reference points",
+                                 cells.cell_size / kMillimetre, lines),
+                     room),
       colours.text);
   return image;
 }
