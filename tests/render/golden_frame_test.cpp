@@ -1,11 +1,7 @@
-// Frames of made-up states against the pictures in golden/. A pixel counts as different when one of its
-// channels differs by more than 8 of 255; 0.5 % of the pixels may, since the software renderer need not give
-// the same bits on every processor. After a wanted change, look at the frames that the failing tests name,
-// then run the tests with EISPH_UPDATE_GOLDEN=1 in the environment, which writes the present frames to
-// golden/.
+// Frames of made-up states against the pictures in golden/.
 
 #include "render/frame_renderer.hpp"
-#include "render/png_file.hpp"
+#include "render/golden.hpp"
 #include "render/synthetic_scene.hpp"
 
 #include <cstdlib>
@@ -16,39 +12,6 @@
 
 namespace eisph {
 namespace {
-
-constexpr int kLargestDifference = 8;
-constexpr double kDifferentPixels = 0.005;
-
-double different_pixels(const Image& first, const Image& second) {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < first.rgb.size(); k += 3) {
-    int largest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      largest = std::max(largest, std::abs(first.rgb[k + c] - second.rgb[k + c]));
-    if (largest > kLargestDifference) ++count;
-  }
-  return static_cast<double>(count) / (static_cast<double>(first.rgb.size()) / 3.0);
-}
-
-void expect_golden(const std::string& name, const Image& frame) {
-  const auto golden =
-      std::filesystem::path(EISPH_SOURCE_DIR) / "tests" / "render" / "golden" / (name + ".png");
-  if (std::getenv("EISPH_UPDATE_GOLDEN") != nullptr) {  // NOLINT(concurrency-mt-unsafe)
-    write_png(golden, frame, {});
-    return;
-  }
-  const Image expected = read_png(golden).image;
-  ASSERT_EQ(expected.width, frame.width);
-  ASSERT_EQ(expected.height, frame.height);
-  const double different = different_pixels(expected, frame);
-  if (different > kDifferentPixels) {
-    const auto actual = std::filesystem::temp_directory_path() / ("eisph_" + name + ".png");
-    write_png(actual, frame, {});
-    ADD_FAILURE() << 100.0 * different << " % of the pixels differ from " << golden << "; the frame is "
-                  << actual;
-  }
-}
 
 class GoldenFrame : public ::testing::Test {
  protected:

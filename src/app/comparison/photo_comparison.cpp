@@ -70,8 +70,12 @@ PhotoComparison::PhotoComparison(Comparison settings, const Scene& scene, double
       photographs_(load_photographs(settings_, scene_)),
       cells_(cells_over(scene_, cell_size)) {
   // Cells that are too small are found before any time is compared.
-  (void)depth_on_cells(photographs_.depths.front(), photographs_.registration.camera, photographs_.floor,
-                       settings_.rims, cells_);
+  try {
+    (void)depth_on_cells(photographs_.depths.front(), photographs_.registration.camera, photographs_.floor,
+                         settings_.rims, cells_);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: deviation.cell_size: {}", settings_.source_file, error.what()));
+  }
 }
 
 std::size_t PhotoComparison::photograph_at(double time) const {
