@@ -39,7 +39,7 @@ void print_result(std::ostream& out, const PhotoComparison& comparison, const Co
   const auto mm = [](double metres) { return 1000.0 * metres; };
   if (comparison.settings().synthetic) fmt::print(out, "{}\n", synthetic_warning());
   fmt::print(out, "{}: {} photographs, {} cells, {}\n", comparison.settings().title,
-             comparison.times().size(), s.points, variant_name(comparison.variants().front()));
+             comparison.times().size(), s.points, comparison.name_of(comparison.variants().front()));
   fmt::print(out, "  registration        RMS {:.3f} pixels, {:.2f} mm\n",
              comparison.photographs().registration.rms_pixels,
              mm(comparison.photographs().registration.rms_metres));

@@ -228,7 +228,7 @@ void ComparisonWriter::write_end() {
   if (comparison_.times().empty()) return;
   std::vector<NamedStatistics> statistics;
   for (const DeviationVariant& variant : comparison_.variants())
-    statistics.push_back({variant_name(variant), comparison_.statistics(variant)});
+    statistics.push_back({comparison_.name_of(variant), comparison_.statistics(variant)});
   write_deviation_statistics(folder_ / "statistics.csv", statistics);
   write_grid_picture();
   ComparisonFigures figures{

@@ -41,22 +41,6 @@ double scatter(const std::vector<DeviationStatistics>& all, double DeviationStat
 
 }  // namespace
 
-std::string variant_name(const DeviationVariant& variant) {
-  std::string name = variant.rule == DepthRule::Surface ? "free surface" : "highest particle";
-  switch (variant.fill) {
-    case RimFill::NearestPlus10:
-      name += ", rims by the nearest depth + 10 %";
-      break;
-    case RimFill::LeaveOut:
-      name += ", rims left out";
-      break;
-    case RimFill::Keep:
-      name += ", rims as photographed";
-      break;
-  }
-  return variant.treat_as_dry ? name + ", shallow water as dry" : name;
-}
-
 const DepthGrid& depth_by_rule(const ComparedTime& time, DepthRule rule) {
   for (const RuledDepth& depth : time.simulation) {
     if (depth.rule == rule) return depth.grid;
@@ -117,6 +101,23 @@ std::vector<DeviationVariant> PhotoComparison::variants() const {
   other.treat_as_dry = !other.treat_as_dry;
   variants.push_back(other);
   return variants;
+}
+
+std::string PhotoComparison::name_of(const DeviationVariant& variant) const {
+  std::string name = variant.rule == DepthRule::Surface ? "free surface" : "highest particle";
+  if (scene_.scheme.name == "shallow_water") name = "depth of the model";
+  switch (variant.fill) {
+    case RimFill::NearestPlus10:
+      name += ", rims by the nearest depth + 10 %";
+      break;
+    case RimFill::LeaveOut:
+      name += ", rims left out";
+      break;
+    case RimFill::Keep:
+      name += ", rims as photographed";
+      break;
+  }
+  return variant.treat_as_dry ? name + ", shallow water as dry" : name;
 }
 
 DeviationSamples PhotoComparison::samples(const DeviationVariant& variant) const {

@@ -21,7 +21,6 @@ struct DeviationVariant {
   RimFill fill = RimFill::NearestPlus10;
   bool treat_as_dry = false;
 };
-[[nodiscard]] std::string variant_name(const DeviationVariant& variant);
 
 /// Photograph and simulation at one time.
 struct ComparedTime {
@@ -66,6 +65,7 @@ class PhotoComparison {
 
   /// The variant of the settings, then those that differ from it in one point or more.
   [[nodiscard]] std::vector<DeviationVariant> variants() const;
+  [[nodiscard]] std::string name_of(const DeviationVariant& variant) const;
   /// Of all times together.
   [[nodiscard]] DeviationSamples samples(const DeviationVariant& variant) const;
   [[nodiscard]] DeviationStatistics statistics(const DeviationVariant& variant) const;
