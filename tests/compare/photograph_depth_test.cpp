@@ -1,9 +1,11 @@
 #include "compare/photograph_depth.hpp"
 
+#include "compare/deviation_statistics.hpp"
 #include "compare/photographed_tank.hpp"
 #include "core/error.hpp"
 #include "io/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -154,6 +156,58 @@ TEST(PhotographDepth, LevelsBeyondTheCalibrationAreUnreadable) {
     EXPECT_LT(found.grid.depth[k], 0.0601F);
     EXPECT_GT(found.grid.depth[k], 0.0199F);
   }
+}
+
+/// A wave that spreads from a breach in the middle of the left edge.
+double spreading_water(double x, double y) {
+  return 0.12 * std::pow(std::max(0.0, 1.0 - std::hypot(x - 0.8, y - 0.6) / 1.2), 2);
+}
+
+TEST(PhotographDepth, PickingErrorsOfAPixelHardlyMoveTheStatistics) {
+  SyntheticSettings settings = clean_settings();
+  settings.camera.width = 1000;
+  settings.camera.height = 800;
+  settings.camera.bit_depth = 8;
+  settings.light.noise = 1.0;
+  const FloorMap floor = block_floor();
+  const PlaneCamera camera = synthetic_camera(settings.camera, floor.area);
+  const auto mask = floor_mask(floor, camera, settings.camera.width, settings.camera.height);
+  const DepthPicture picture =
+      depth_picture(synthetic_photograph(settings, camera, floor, spreading_water, 1),
+                    DepthCalibration::per_pixel(calibration_steps(settings, camera, floor), mask));
+  std::vector<ReferencePoint> corners;
+  for (const Eigen::Vector2d& plane : {Eigen::Vector2d(0.8, 0.0), {2.6, 0.0}, {2.6, 1.2}, {0.8, 1.2}})
+    corners.push_back({"corner", plane, camera.pixel_of(plane)});
+  // Another model's water: a little deeper and shifted, so that the deviations have a distribution.
+  DepthGrid other = tank_cells();
+  for (std::size_t j = 0; j < other.rows; ++j) {
+    for (std::size_t i = 0; i < other.columns; ++i) {
+      other.depth[j * other.columns + i] = static_cast<float>(
+          1.1 * spreading_water(0.015 * static_cast<double>(i), 0.015 * (static_cast<double>(j) + 1.0)));
+    }
+  }
+  std::vector<DeviationStatistics> all;
+  for (const Registration& registration : perturbed_registrations(corners, 1000, 800, false, 1.0, 20, 5)) {
+    const ComparableDepth found = filled(
+        depth_on_cells(picture, registration.camera, floor, RimSettings{}, other), RimFill::NearestPlus10);
+    DeviationSamples samples;
+    add_samples(samples, other, found.grid, found.valid, 0.005, false);
+    all.push_back(deviation_statistics(samples, 0.005));
+  }
+  const auto scatter = [&](double DeviationStatistics::*figure) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const DeviationStatistics& one : all) {
+      sum += one.*figure / 20.0;
+      squares += one.*figure * one.*figure / 20.0;
+    }
+    return std::sqrt(std::max(0.0, squares - sum * sum));
+  };
+  // A pixel is 2 mm wide and the wave is steep where it enters.
+  EXPECT_LT(scatter(&DeviationStatistics::mean), 0.1e-3);
+  EXPECT_LT(scatter(&DeviationStatistics::percentile_15), 0.01e-3);
+  EXPECT_LT(scatter(&DeviationStatistics::percentile_85), 0.2e-3);
+  EXPECT_GT(scatter(&DeviationStatistics::mean), 1e-6);
 }
 
 TEST(PhotographDepth, CellsSmallerThanPixelsAreRefused) {

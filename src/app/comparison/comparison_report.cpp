@@ -60,7 +60,8 @@ PageSection statistics_section(const PhotoComparison& comparison,
       comparison.times().front().simulation.front().grid.cell_size / kMillimetre, comparison.times().size(),
       settings.dry_depth / kMillimetre));
   std::vector<NamedStatistics> rows = {statistics.front()};
-  for (NamedStatistics& row : thesis_statistics()) rows.push_back(std::move(row));
+  const std::vector<NamedStatistics> thesis = thesis_statistics();
+  rows.insert(rows.end(), thesis.begin(), thesis.end());
   section.tables.push_back(statistics_table("Statistics, beside those of De Castro (2019)", rows));
   section.paragraphs.push_back(
       "The thesis compares with photographs of the experiment of Aureli et al. (2008), read at the centres "

@@ -96,9 +96,10 @@ void ComparisonWriter::write_picture(const std::string& kind, const ComparedTime
 void ComparisonWriter::write_time(const ComparedTime& time) {
   const Comparison& settings = comparison_.settings();
   const PhotographSet& set = comparison_.photographs();
-  if (!painter_)
+  if (!painter_) {
     painter_ =
         std::make_unique<ComparisonPainter>(comparison_.scene(), set.floor.area, settings.images.width);
+  }
   const double depth = settings.images.depth;
   const double range = settings.images.deviation > 0.0 ? settings.images.deviation : depth / 3.0;
   const ColourMap grey = ColourMap::load("grey_depth");
