@@ -75,9 +75,10 @@ int run_command(const RunOptions& options, std::ostream& out, std::ostream& prog
   comparison.finish();
   if (!options.quiet) {
     print_summary(out, summary, files);
-    if (comparison.compared() > 0)
+    if (comparison.compared() > 0) {
       fmt::print(out, "  {:<22}{} times, {}\n", "comparison", comparison.compared(),
                  comparison.report().string());
+    }
   }
   if (summary.status == "blown_up") throw BlowUpError(summary.message);
   return summary.status == "interrupted" ? kInterrupted : kSuccess;

@@ -224,9 +224,10 @@ void DepthCalibration::prepare_pixels(const std::vector<CalibrationStep>& steps,
 
 CalibratedDepth DepthCalibration::depth_of(std::size_t pixel, float level) const {
   if (points_.empty()) return {kNone, LevelRange::Unusable};
-  if (levels_.empty())
+  if (levels_.empty()) {
     return on_curve(
         points_, [this](std::size_t k) { return points_[k].level; }, tolerance_, level);
+  }
   const float* levels = &levels_[pixel * points_.size()];
   if (std::isnan(levels[0])) return {kNone, LevelRange::Unusable};
   return on_curve(

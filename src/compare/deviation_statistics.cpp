@@ -169,6 +169,7 @@ std::vector<DeviationClass> deviation_classes(const DeviationSamples& samples, i
     ++counts[std::min(number, counts.size() - 1)];
   }
   std::vector<double> centres;
+  centres.reserve(counts.size());
   for (int k = 0; k < classes; ++k) centres.push_back(range->first + (k + 0.5) * width);
   return classes_from_counts(centres, counts);
 }
