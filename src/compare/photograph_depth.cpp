@@ -55,7 +55,8 @@ std::optional<std::size_t> nearest_cell(const PhotographDepth& photograph, std::
         const int u = static_cast<int>(i) + di;
         const int v = static_cast<int>(j) + dj;
         if (u < 0 || v < 0 || u >= columns || v >= rows) continue;
-        const auto cell = static_cast<std::size_t>(v * columns + u);
+        const std::size_t cell =
+            static_cast<std::size_t>(v) * photograph.grid.columns + static_cast<std::size_t>(u);
         const int square = di * di + dj * dj;
         if (square > best_square || (square == best_square && cell > *best) || !wanted(cell)) continue;
         best = cell;

@@ -34,7 +34,7 @@ struct Threshold {
 Threshold otsu_threshold(const GreyPicture& photograph) {
   std::array<double, kBins> counts{};
   for (const float level : photograph.level) {
-    counts[static_cast<std::size_t>(std::clamp(level, 0.0F, 1.0F) * (kBins - 1) + 0.5F)] += 1.0;
+    counts[static_cast<std::size_t>(std::lround(std::clamp(level, 0.0F, 1.0F) * (kBins - 1)))] += 1.0;
   }
   double all = 0.0;
   double sum = 0.0;
@@ -195,6 +195,7 @@ FittedEdge fit_edge(const std::vector<Vector2d>& points, const char* name) {
   }
   // Points near corners belong to two edges, and single ones are noise: the largest but for a twentieth.
   std::vector<double> distances;
+  distances.reserve(near.size());
   for (const Vector2d& point : near) distances.push_back(line.distance(point));
   std::sort(distances.begin(), distances.end());
   return {line, distances[distances.size() * 19 / 20]};

@@ -32,6 +32,7 @@ std::filesystem::path find_program(std::string_view name) {
 int run_child_program(std::vector<std::string> arguments, const std::filesystem::path& out,
                       const std::filesystem::path& messages) {
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;

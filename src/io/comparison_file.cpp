@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -26,9 +27,9 @@ void resolve(std::filesystem::path& path, const std::string& key, const TomlSour
 void resolve_paths(Comparison& comparison, const TomlSource& source) {
   for (std::size_t k = 0; k < comparison.photographs.size(); ++k)
     resolve(comparison.photographs[k].file, fmt::format("photograph.{}.file", k), source);
-  for (std::size_t k = 0; k < comparison.calibration.photographs.size(); ++k)
-    resolve(comparison.calibration.photographs[k].file, fmt::format("calibration.photograph.{}.file", k),
-            source);
+  std::vector<CalibrationPhotograph>& still = comparison.calibration.photographs;
+  for (std::size_t k = 0; k < still.size(); ++k)
+    resolve(still[k].file, fmt::format("calibration.photograph.{}.file", k), source);
   if (!comparison.registration.outline.empty())
     resolve(comparison.registration.outline, "registration.outline", source);
   for (std::filesystem::path* run : {&comparison.run, &comparison.other_run}) {
