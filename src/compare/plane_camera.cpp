@@ -203,7 +203,7 @@ PlaneCamera::PlaneCamera(const Matrix3d& homography, double k1, int width, int h
       k1_(k1) {}
 
 Vector2d PlaneCamera::pixel_of(const Vector2d& plane) const {
-  const Vector2d undistorted = (homography_ * plane.homogeneous()).eval().hnormalized();
+  Vector2d undistorted = (homography_ * plane.homogeneous()).eval().hnormalized();
   if (k1_ == 0.0) return undistorted;
   const Vector2d off = undistorted - centre_;
   const double r2 = off.squaredNorm() / (half_diagonal_ * half_diagonal_);
