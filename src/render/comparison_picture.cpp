@@ -114,9 +114,10 @@ ComparisonPainter::Sheet ComparisonPainter::make_sheet(const ComparisonHeading& 
   sheet.metres_per_pixel = length / panel_width;
   const PixelRectangle& place = sheet.layout.picture;
   const int strip = sheet.layout.text_height * 3 / 2;
-  for (int k = 0; k < count; ++k)
+  for (int k = 0; k < count; ++k) {
     sheet.panels.push_back(
         {place.x + k * (panel_width + gap), place.y + strip, panel_width, place.height - strip});
+  }
   sheet.image = Image(width_, height);
   fill_rectangle(sheet.image, {0, 0, width_, height}, sheet.colours.page);
   draw_title(sheet.image, sheet.layout, typeface_, sheet.colours, heading.title, heading.time);
@@ -263,9 +264,10 @@ Image ComparisonPainter::grid_over_photograph(const ComparisonHeading& heading,
   fill_rectangle(image, {0, 0, image.width, head}, colours.page);
   for (int row = head; row < image.height; ++row) {
     const int j = std::min(picture.height - 1, static_cast<int>((row - head) / scale));
-    for (int column = 0; column < image.width; ++column)
-      blend_pixel(image, column, row,
-                  grey(picture.at(std::min(picture.width - 1, static_cast<int>(column / scale)), j)), 1.0F);
+    for (int column = 0; column < image.width; ++column) {
+      const int i = std::min(picture.width - 1, static_cast<int>(column / scale));
+      blend_pixel(image, column, row, grey(picture.at(i, j)), 1.0F);
+    }
   }
   const auto place = [&](double x, double y) {
     const Eigen::Vector2d pixel = photograph.pixel_of({x, y}) * scale;
