@@ -61,12 +61,15 @@ double correlation_of(const DeviationSamples& samples) {
   return vary ? ab / std::sqrt(aa * bb) : kNone;
 }
 
-/// Column of the most downstream wet cell of a row, -1 for none.
+/// Column of the most downstream wet cell of a row that follows another one, -1 for none.
 std::ptrdiff_t last_wet(const DepthGrid& grid, const std::vector<std::uint8_t>& valid, std::size_t row,
                         double dry_depth) {
+  bool follower_is_wet = false;
   for (std::size_t i = grid.columns; i-- > 0;) {
     const std::size_t cell = row * grid.columns + i;
-    if (valid[cell] != 0 && grid.depth[cell] > dry_depth) return static_cast<std::ptrdiff_t>(i);
+    const bool wet = valid[cell] != 0 && grid.depth[cell] > dry_depth;
+    if (wet && follower_is_wet) return static_cast<std::ptrdiff_t>(i + 1);
+    follower_is_wet = wet;
   }
   return -1;
 }

@@ -49,7 +49,8 @@ struct FrontDistance {
   std::size_t rows = 0;   ///< with water in both
 };
 
-/// Cells deeper than `dry_depth` with valid != 0 count. Not-a-number where one side is dry.
+/// Cells deeper than `dry_depth` with valid != 0 count, if the one upstream of them does too: single ones are
+/// drops or noise. Not-a-number where one side is dry.
 [[nodiscard]] FrontDistance front_distance(const DepthGrid& simulation, const DepthGrid& photograph,
                                            const std::vector<std::uint8_t>& valid, double dry_depth);
 

@@ -122,6 +122,9 @@ TEST(FrontDistance, IsOfTheForemostCellsAndByRows) {
   EXPECT_NEAR(distance.foremost, 0.1, 1e-12);
   EXPECT_NEAR(distance.rms, 0.1 * std::sqrt((4.0 + 1.0) / 2.0), 1e-12);
   EXPECT_EQ(distance.rows, 2U);
+  const DepthGrid with_a_drop = grid_of(5, 2, {1, 1, 0, 0, 1, 1, 1, 1, 0, 0});
+  EXPECT_NEAR(front_distance(simulation, with_a_drop, std::vector<std::uint8_t>(10, 1), 0.005).foremost, 0.1,
+              1e-12);
   const FrontDistance none = front_distance(simulation, grid_of(5, 2, std::vector<float>(10, 0.0F)),
                                             std::vector<std::uint8_t>(10, 1), 0.005);
   EXPECT_TRUE(std::isnan(none.foremost));

@@ -90,7 +90,9 @@ PageSection times_section(const PhotoComparison& comparison) {
   return {.title = "Times",
           .paragraphs =
               {"The front is how much farther in x the foremost wet cell of the simulation is than that of "
-               "the photograph, and the RMS of that over the rows of cells that are wet on both sides."},
+               "the photograph, and the RMS of that over the rows of cells that are wet on both sides; "
+               "single wet cells "
+               "count as drops or noise."},
           .tables = {table},
           .figures = {}};
 }
