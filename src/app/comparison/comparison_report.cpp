@@ -63,7 +63,7 @@ PageSection statistics_section(const PhotoComparison& comparison,
   const std::vector<NamedStatistics> thesis = thesis_statistics();
   rows.insert(rows.end(), thesis.begin(), thesis.end());
   section.tables.push_back(statistics_table("Statistics, beside those of De Castro (2019)", rows));
-  section.paragraphs.push_back(
+  section.paragraphs.emplace_back(
       "The thesis compares with photographs of the experiment of Aureli et al. (2008), read at the centres "
       "of "
       "cells, with rims filled by the nearest depth and 10 % more and depths under 5 mm not visible. Its "
