@@ -73,7 +73,7 @@ struct PixelDistances {
   const std::vector<ReferencePoint>* points;
   Matrix3d guess;
   Matrix3d to_guess;  ///< normalises pixels
-  Matrix3d from_plane;
+
   int width;
   int height;
   bool distorted;
@@ -106,7 +106,7 @@ PlaneCamera fitted_camera(const std::vector<ReferencePoint>& points, int width, 
   PixelDistances distances{.points = &points,
                            .guess = linear_homography(planes, pixels),
                            .to_guess = normalisation(pixels),
-                           .from_plane = Matrix3d::Identity(),
+
                            .width = width,
                            .height = height,
                            .distorted = distorted};
@@ -121,8 +121,7 @@ PlaneCamera fitted_camera(const std::vector<ReferencePoint>& points, int width, 
   return distances.camera(x);
 }
 
-/// Distance of the points from the line through two of them that has the most points on it, without
-/// `left_out`.
+/// Whether a line through two of the points has all others on it, or all but one.
 bool all_but_one_on_a_line(const std::vector<Vector2d>& points) {
   double extent = 0.0;
   for (const Vector2d& a : points) {
