@@ -67,14 +67,19 @@ std::optional<std::size_t> nearest_cell(const PhotographDepth& photograph, std::
   return best;
 }
 
+/// Side of a cell in the middle of the area, pixels.
+double cell_width(const PlaneCamera& camera, const FloorMap& floor, double cell_size) {
+  const Vector2d middle(0.5 * (floor.area[0] + floor.area[2]), 0.5 * (floor.area[1] + floor.area[3]));
+  return cell_size / camera.pixel_length(middle);
+}
+
 /// Samples of one photograph, cell by cell.
 class CellSampler {
  public:
   CellSampler(const DepthPicture& picture, const PlaneCamera& camera, const FloorMap& floor,
               const DepthGrid& shape)
       : picture_(picture), shape_(shape) {
-    const Vector2d middle(0.5 * (floor.area[0] + floor.area[2]), 0.5 * (floor.area[1] + floor.area[3]));
-    pixels_per_cell_ = shape.cell_size / camera.pixel_length(middle);
+    pixels_per_cell_ = cell_width(camera, floor, shape.cell_size);
     samples_ = std::clamp(static_cast<int>(std::ceil(pixels_per_cell_)), 1, kMostSamples);
     corners_.reserve((shape.columns + 1) * (shape.rows + 1));
     for (std::size_t j = 0; j <= shape.rows; ++j) {
@@ -200,16 +205,20 @@ DepthPicture depth_picture(const GreyPicture& photograph, const DepthCalibration
   return picture;
 }
 
+void require_readable_cells(const PlaneCamera& camera, const FloorMap& floor, double cell_size) {
+  const double pixels = cell_width(camera, floor, cell_size);
+  if (pixels >= kSmallestCell) return;
+  throw InputError(
+      fmt::format("cells of {:g} m are smaller than the pixels of the photographs ({:.2g} pixels wide); "
+                  "compare on larger "
+                  "cells or with larger photographs",
+                  cell_size, pixels));
+}
+
 PhotographDepth depth_on_cells(const DepthPicture& picture, const PlaneCamera& camera, const FloorMap& floor,
                                const RimSettings& rims, const DepthGrid& shape) {
+  require_readable_cells(camera, floor, shape.cell_size);
   CellSampler sampler(picture, camera, floor, shape);
-  if (sampler.pixels_per_cell() < kSmallestCell) {
-    throw InputError(
-        fmt::format("cells of {:g} m are smaller than the pixels of the photographs ({:.2g} pixels wide); "
-                    "compare on larger "
-                    "cells or with larger photographs",
-                    shape.cell_size, sampler.pixels_per_cell()));
-  }
   PhotographDepth photograph;
   photograph.grid = shape;
   photograph.state.assign(shape.depth.size(), CellState::Outside);

@@ -58,6 +58,9 @@ struct PhotographDepth {
   double pixels_per_cell = 0.0;        ///< side of a cell in pixels, mean
 };
 
+/// Throws InputError if cells of that size (m) are smaller than pixels.
+void require_readable_cells(const PlaneCamera& camera, const FloorMap& floor, double cell_size);
+
 /// Depth on the cells of `shape` (whose depths do not matter). A cell's depth is the mean over n x n samples
 /// of the nearest pixels, n the side of the cell in pixels, rounded up, at most 8. Rims are found by
 /// `rims.detection`: a cell within the band is one if it is deeper than the nearest measured cell beyond the

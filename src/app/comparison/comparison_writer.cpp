@@ -5,7 +5,6 @@
 #include "app/comparison/video.hpp"
 #include "compare/plot.hpp"
 #include "compare/reference_table.hpp"
-#include "core/scene_mirror.hpp"
 #include "io/file_io.hpp"
 #include "io/vtk_output.hpp"
 #include "render/png_file.hpp"

@@ -15,21 +15,6 @@ namespace eisph {
 
 namespace {
 
-/// Cells over the floor of a whole tank, as a depth grid has them.
-DepthGrid cells_over(const Scene& scene, double cell_size) {
-  DepthGrid cells;
-  cells.origin_x = scene.domain_min.x();
-  cells.origin_y = scene.domain_min.y();
-  cells.cell_size = cell_size;
-  const auto count = [cell_size](double length) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / cell_size - 1e-6)));
-  };
-  cells.columns = count(scene.domain_max.x() - scene.domain_min.x());
-  cells.rows = count(scene.domain_max.y() - scene.domain_min.y());
-  cells.depth.assign(cells.columns * cells.rows, 0.0F);
-  return cells;
-}
-
 /// Standard deviation of a figure of several statistics.
 double scatter(const std::vector<DeviationStatistics>& all, double DeviationStatistics::*figure) {
   double mean = 0.0;
@@ -51,12 +36,10 @@ const DepthGrid& depth_by_rule(const ComparedTime& time, DepthRule rule) {
 PhotoComparison::PhotoComparison(Comparison settings, const Scene& scene, double cell_size)
     : settings_(std::move(settings)),
       scene_(completed_by_symmetry(scene)),
-      photographs_(load_photographs(settings_, scene_)),
-      cells_(cells_over(scene_, cell_size)) {
+      photographs_(load_photographs(settings_, scene_)) {
   // Cells that are too small are found before any time is compared.
   try {
-    (void)depth_on_cells(photographs_.depths.front(), photographs_.registration.camera, photographs_.floor,
-                         settings_.rims, cells_);
+    require_readable_cells(photographs_.registration.camera, photographs_.floor, cell_size);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: deviation.cell_size: {}", settings_.source_file, error.what()));
   }

@@ -81,7 +81,7 @@ class PhotoComparison {
   Comparison settings_;
   Scene scene_;
   PhotographSet photographs_;
-  DepthGrid cells_;
+
   std::vector<ComparedTime> times_;
 };
 
