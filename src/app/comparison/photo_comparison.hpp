@@ -81,7 +81,6 @@ class PhotoComparison {
   Comparison settings_;
   Scene scene_;
   PhotographSet photographs_;
-
   std::vector<ComparedTime> times_;
 };
 
