@@ -37,6 +37,7 @@ GreyPng read_levels(const std::filesystem::path& path, PngReader& reader,
   const std::size_t row_bytes = reader.row_bytes();
   std::vector<png_byte> bytes(row_bytes * static_cast<std::size_t>(layout.height));
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(layout.height));
   for (int row = 0; row < layout.height; ++row)
     rows.push_back(&bytes[row_bytes * static_cast<std::size_t>(row)]);
   if (!reader.read_rows(rows.data()))
