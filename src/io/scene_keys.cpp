@@ -1,5 +1,7 @@
 #include "io/scene_keys.hpp"
 
+#include "core/scheme_list.hpp"
+
 #include <functional>
 
 namespace eisph {
@@ -108,11 +110,17 @@ KeyTable<std::array<Face, kFaceCount>> faces_keys() {
 
 KeyTable<SchemeSettings> scheme_keys() {
   KeyTable<SchemeSettings> keys;
-  keys.choice<std::string>(
-      "name", &SchemeSettings::name, {{"eisph", "eisph"}, {"shallow_water", "shallow_water"}},
-      "Explicit incompressible SPH, or the shallow-water equations on square cells: then "
-      "[shallow_water] applies and the other keys here, [boundary] and all but the "
-      "spacing in [particles] have no effect.");
+  std::vector<std::pair<std::string, std::string>> names;
+  std::string meaning;
+#define EISPH_SCHEME(scheme, text)      \
+  names.emplace_back(#scheme, #scheme); \
+  meaning += (meaning.empty() ? "" : "; ") + std::string(text);
+  EISPH_SCHEMES(EISPH_SCHEME)
+#undef EISPH_SCHEME
+  keys.choice<std::string>("name", &SchemeSettings::name, names,
+                           meaning +
+                               ". With shallow_water, [shallow_water] applies and the other keys here, "
+                               "[boundary] and all but the spacing in [particles] have no effect.");
   keys.choice<Stepping>(
       "stepping", &SchemeSettings::stepping,
       {{"symplectic", Stepping::Symplectic}, {"thesis", Stepping::Thesis}},

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "scheme/column_geometry.hpp"
+#include "scheme/schemes.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -334,6 +335,10 @@ void ShallowWaterSolver::throw_blow_up(std::size_t j) const {
       "smaller shallow_water.courant is the usual cure.",
       time_, steps_ + 1, attempted_step_, grid_.centre_x(worst), plane_ ? grid_.centre_y(j) : 0.0,
       state_.depth[cell], state_.velocity_x[cell], state_.velocity_y[cell], speed_limit_));
+}
+
+std::unique_ptr<Simulation> make_shallow_water(const Scene& scene, int threads) {
+  return std::make_unique<ShallowWaterSolver>(scene, threads);
 }
 
 }  // namespace eisph

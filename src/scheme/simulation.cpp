@@ -1,19 +1,33 @@
 #include "scheme/simulation.hpp"
 
 #include "core/error.hpp"
-#include "scheme/eisph_solver.hpp"
-#include "scheme/shallow_water_solver.hpp"
+#include "scheme/schemes.hpp"
+
+#include <fmt/format.h>
 
 namespace eisph {
 
+namespace {
+
+struct Registration {
+  const char* name;  ///< value of the scene key scheme.name
+  std::unique_ptr<Simulation> (*make)(const Scene& scene, int threads);
+};
+
+#define EISPH_REGISTER(name, meaning) {#name, make_##name},
+constexpr Registration kSchemes[] = {EISPH_SCHEMES(EISPH_REGISTER)};
+#undef EISPH_REGISTER
+
+}  // namespace
+
 std::unique_ptr<Simulation> Simulation::create(const Scene& scene, int threads) {
-  if (scene.scheme.name == "shallow_water") return std::make_unique<ShallowWaterSolver>(scene, threads);
-  if (scene.scheme.name != "eisph") {
-    throw InputError(scene.source_file + ": scheme.name = \"" + scene.scheme.name +
-                     "\": accepted are \"eisph\", \"shallow_water\"");
+  std::string accepted;
+  for (const Registration& scheme : kSchemes) {
+    if (scene.scheme.name == scheme.name) return scheme.make(scene, threads);
+    accepted += fmt::format("{}\"{}\"", accepted.empty() ? "" : ", ", scheme.name);
   }
-  if (scene.dimension == 2) return std::make_unique<EisphSolver<2>>(scene, threads);
-  return std::make_unique<EisphSolver<3>>(scene, threads);
+  throw InputError(fmt::format("{}: scheme.name = \"{}\": accepted are {}", scene.source_file,
+                               scene.scheme.name, accepted));
 }
 
 }  // namespace eisph

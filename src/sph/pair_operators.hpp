@@ -22,12 +22,9 @@ struct Vector {
 
 template <int Dim, class Real>
 inline Vector<Dim, Real> zero_vector() {
-  const Real zero = splat<Real>(0.0);
-  if constexpr (Dim == 2) {
-    return {{zero, zero}};
-  } else {
-    return {{zero, zero, zero}};
-  }
+  Vector<Dim, Real> vector;
+  for (Real& component : vector.x) component = splat<Real>(0.0);
+  return vector;
 }
 
 /// xi_i - xi_j and what the kernel makes of it.
@@ -123,6 +120,56 @@ struct PressureGradientSum {
   void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real pressure_i, Real pressure_j) {
     const Real scale = volume_j * (pressure_i + pressure_j) * pair.gradient;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
+  }
+};
+
+/// Difference form of a gradient, sum V_j (f_j - f_i) grad W_ij, without alpha/h.
+template <int Dim, class Real>
+struct ScalarGradientSum {
+  Vector<Dim, Real> value = zero_vector<Dim, Real>();
+
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference) {
+    const Real scale = volume_j * difference * pair.gradient;
+    for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
+  }
+};
+
+/// First moments of the gradient, sum V_j (x_j - x_i) (x) grad W_ij, without alpha: the matrix whose inverse
+/// makes the difference form exact for linear fields. Symmetric; entries xx, yy, (zz,) xy, (xz, yz).
+template <int Dim, class Real>
+struct MomentSum {
+  static constexpr int kEntries = Dim * (Dim + 1) / 2;
+  Vector<kEntries, Real> value = zero_vector<kEntries, Real>();
+
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
+    const Real scale = volume_j * pair.gradient;
+    int entry = Dim;
+    for (int a = 0; a < Dim; ++a) {
+      value.x[a] -= scale * pair.offset.x[a] * pair.offset.x[a];
+      for (int b = a + 1; b < Dim; ++b) value.x[entry++] -= scale * pair.offset.x[a] * pair.offset.x[b];
+    }
+  }
+};
+
+/// Diffusion of a scalar f, 2 sum V_j psi_ij x_ji . grad W_ij / r^2 (Molteni & Colagrossi 2009) with
+/// psi_ij = f_j - f_i, or less the mean of the gradients at i and j along x_ji (Antuono et al. 2010); without
+/// -2 alpha / h^2.
+template <class Real>
+struct DiffusionSum {
+  Real value = splat<Real>(0.0);
+
+  template <int Dim>
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference) {
+    value += volume_j * difference * pair.gradient;
+  }
+
+  /// `gradients`: the sum of those at i and j, in units of f per smoothing length.
+  template <int Dim>
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference,
+           const Vector<Dim, Real>& gradients) {
+    Real along = splat<Real>(0.0);
+    for (int d = 0; d < Dim; ++d) along += gradients.x[d] * pair.offset.x[d];
+    add(pair, volume_j, difference + splat<Real>(0.5) * along);
   }
 };
 

@@ -2,7 +2,7 @@
 // a tank with walls and an obstacle. Counters give nanoseconds of wall clock per particle and step, by stage;
 // items are particle-steps. The neighbour search alone stands beside it.
 
-#include "scheme/eisph_solver.hpp"
+#include "scheme/particle_system.hpp"
 #include "scheme/simulation.hpp"
 
 #include <cmath>
@@ -86,16 +86,16 @@ BENCHMARK(shallow_water_step)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->Us
 
 void neighbour_search(benchmark::State& run) {
   const Scene scene = column(static_cast<double>(run.range(0)));
-  EisphSolver<3> solver(scene, static_cast<int>(run.range(1)));
-  solver.sort_fluid();
-  solver.place_boundaries();
-  for (auto _ : run) solver.find_neighbours();
-  const auto particles = static_cast<double>(solver.fluid_particles());
+  ParticleSystem<3> system(scene, static_cast<int>(run.range(1)));
+  system.sort_fluid();
+  system.place_boundaries(0.0);
+  for (auto _ : run) system.find_neighbours();
+  const auto particles = static_cast<double>(system.fluid);
   run.SetItemsProcessed(static_cast<std::int64_t>(particles * static_cast<double>(run.iterations())));
   std::size_t entries = 0;
-  const SourceTable& table = solver.table();
+  const SourceTable& table = system.table;
   for (std::uint32_t row = table.first_fluid; row < table.first_image; ++row) {
-    const Neighbours near = solver.neighbours().of(row);
+    const Neighbours near = system.neighbours.of(row);
     entries += static_cast<std::size_t>(near.end - near.begin);
   }
   run.counters["entries_per_list"] = static_cast<double>(entries) / particles;

@@ -1,4 +1,5 @@
-#include "scheme/eisph_solver.hpp"
+#include "scheme/neighbour_sums.hpp"
+#include "scheme/pressure_equation.hpp"
 #include "scheme/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -31,21 +32,18 @@ Scene channel(double slip_factor) {
 /// Viscous acceleration over -2 nu of the particles halfway along the channel, by layer.
 template <int Dim>
 std::vector<double> relative_drag(const Scene& scene) {
-  constexpr double kTimeStep = 1.0;
-  EisphSolver<Dim> solver(scene, 2);
-  solver.sort_fluid();
-  solver.place_boundaries();
-  solver.find_neighbours();
-  solver.accelerate(kTimeStep);
-  const SourceTable& table = solver.table();
+  ParticleSystem<Dim> particles(scene, 2);
+  particles.sort_fluid();
+  particles.place_boundaries(0.0);
+  particles.find_neighbours();
+  const SourceTable& table = particles.table;
   std::vector<double> sum(20, 0.0);
   std::vector<double> count(20, 0.0);
   for (std::uint32_t row = table.first_fluid; row < table.first_image; ++row) {
     const double x = table.position[row].x * scene.smoothing_length();
     const double z = (&table.position[row].x)[Dim - 1] * scene.smoothing_length();
     if (std::abs(x - 0.2) > 0.1) continue;
-    const double u = table.velocity[row].x;
-    const double acceleration = (table.source[row].x - scene.scheme.source_factor * u) / kTimeStep;
+    const double acceleration = viscous_acceleration(particles, row).x[0];
     const auto layer = static_cast<std::size_t>(z / 0.02);
     sum[layer] += acceleration / (-2.0 * scene.kinematic_viscosity);
     count[layer] += 1.0;
@@ -82,12 +80,12 @@ TEST(Viscosity, AtZeroNothingActs) {
   Scene scene = channel<3>(0.0);
   scene.artificial_viscosity = 0.0;
   scene.kinematic_viscosity = 0.0;
-  EisphSolver<3> solver(scene, 1);
-  solver.sort_fluid();
-  solver.place_boundaries();
-  solver.find_neighbours();
-  solver.accelerate(1.0);
-  const SourceTable& table = solver.table();
+  ParticleSystem<3> particles(scene, 1);
+  particles.sort_fluid();
+  particles.place_boundaries(0.0);
+  particles.find_neighbours();
+  PressureEquation<3>(particles, false).set_source(1.0);
+  const SourceTable& table = particles.table;
   const auto omega = static_cast<float>(scene.scheme.source_factor);
   for (std::uint32_t row = table.first_fluid; row < table.first_image; ++row) {
     ASSERT_FLOAT_EQ(table.source[row].x, omega * table.velocity[row].x);

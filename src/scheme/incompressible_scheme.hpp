@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scheme/particle_scheme.hpp"
+#include "scheme/pressure_equation.hpp"
+#include "scheme/time_step.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace eisph {
+
+/// What EISPH and ISPH share: velocities without pressure, a pressure equation, and the correction of the
+/// velocities by its gradient. All operators use the positions at the beginning of the step.
+template <int Dim>
+class IncompressibleScheme : public ParticleScheme<Dim> {
+ public:
+  IncompressibleScheme(const Scene& scene, int threads, bool keeps_source)
+      : ParticleScheme<Dim>(scene, threads), equation_(this->particles_, keeps_source) {}
+
+ protected:
+  void find_initial_state() override { equation_.find_initial_pressure(); }
+  [[nodiscard]] double admissible_time_step() const override {
+    return eisph::admissible_time_step(this->particles_.scene, this->particles_.speed_max);
+  }
+  void add_bytes(std::map<std::string, double>& by_array) const override {
+    by_array["density_and_coefficient"] += static_cast<double>(equation_.bytes());
+  }
+
+  /// u^{n+1} = u* - (dt/rho0) sum V_j (P_i + P_j) grad W_ij, and the new positions: x += dt u^{n+1}, half a
+  /// step ahead of time, or with the stepping of the thesis x += dt (u^n + u^{n+1})/2.
+  void apply_gradient(const StepInHand& step);
+
+  PressureEquation<Dim> equation_;
+};
+
+}  // namespace eisph

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "scheme/particle_system.hpp"
+#include "sph/pair_operators.hpp"
+
+namespace eisph {
+
+// The loops over the neighbours of a particle that the schemes share. Each is written once: a scheme that
+// wants another combination of operators in one pass gives for_neighbours its own body.
+
+template <int Dim>
+inline Vector<Dim, Pack> components(const PackRows& rows) {
+  if constexpr (Dim == 2) {
+    return {{rows.x, rows.y}};
+  } else {
+    return {{rows.x, rows.y, rows.z}};
+  }
+}
+
+template <int Dim>
+inline Vector<Dim, Pack> splat_row(const Float4& row) {
+  if constexpr (Dim == 2) {
+    return {{splat<Pack>(row.x), splat<Pack>(row.y)}};
+  } else {
+    return {{splat<Pack>(row.x), splat<Pack>(row.y), splat<Pack>(row.z)}};
+  }
+}
+
+/// Calls body(j, pair, w) for every pack of eight neighbours `near` of table row `row`: their indices, the
+/// geometry of the pairs and the w of their positions.
+template <int Dim, class Body>
+inline void for_neighbours(const SourceTable& table, std::uint32_t row, const Neighbours& near,
+                           const Body& body) {
+  const auto xi = splat_row<Dim>(table.position[row]);
+  for (const std::uint32_t* j = near.begin; j != near.end; j += kPackWidth) {
+    const PackRows positions = gather_rows(table.position.data(), j);
+    body(j, pair_geometry<Dim, Pack>(xi, components<Dim>(positions)), positions.w);
+  }
+}
+
+/// Factor of ViscousSum, m/s^2 for velocities in m/s.
+template <int Dim>
+inline double viscous_factor(const ParticleSystem<Dim>& particles) {
+  return 2.0 * (Dim + 2) * particles.viscosity * particles.alpha / (particles.h * particles.h);
+}
+
+/// nu lap u of table row `row`, m/s^2.
+template <int Dim>
+inline Vector<Dim, double> viscous_acceleration(const ParticleSystem<Dim>& particles, std::uint32_t row) {
+  const SourceTable& table = particles.table;
+  const auto u = splat_row<Dim>(table.velocity[row]);
+  ViscousSum<Dim, Pack> sum;
+  for_neighbours<Dim>(table, row, particles.neighbours.of(row),
+                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack&) {
+                        const PackRows velocities = gather_rows(table.velocity.data(), j);
+                        sum.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
+                      });
+  const double factor = viscous_factor(particles);
+  Vector<Dim, double> acceleration;
+  for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
+  return acceleration;
+}
+
+/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, m/s^2.
+template <int Dim>
+inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& particles, std::uint32_t row,
+                                                 const Neighbours& near) {
+  const SourceTable& table = particles.table;
+  const Pack pressure = splat<Pack>(table.position[row].w);
+  PressureGradientSum<Dim, Pack> sum;
+  double factor = -particles.alpha / (particles.h * particles.scene.density);
+  if (near.near_object) {
+    for_neighbours<Dim>(table, row, near,
+                        [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
+                          sum.add(pair, gather_rows(table.source.data(), j).w, pressure, other);
+                        });
+  } else {
+    // All volumes are equal but those of objects.
+    for_neighbours<Dim>(table, row, near,
+                        [&](const std::uint32_t*, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
+                          sum.add(pair, splat<Pack>(1.0), pressure, other);
+                        });
+    factor *= particles.volume;
+  }
+  Vector<Dim, double> acceleration;
+  for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
+  return acceleration;
+}
+
+/// Repulsion grows with the square of the largest speed, as the step shrinks with that speed: a push stays
+/// the same fraction of dx per step (thesis (3.40): c^2 is of the scale of the square of the largest
+/// velocity).
+template <int Dim>
+inline double repulsion_scale(const ParticleSystem<Dim>& particles) {
+  const double reference = particles.scene.reference_speed();
+  if (!(particles.speed_max > reference) || reference <= 0.0) return 1.0;
+  return particles.speed_max * particles.speed_max / (reference * reference);
+}
+
+/// Adds the repulsion of walls and solids on fluid particle `i` times `scale`, m/s^2.
+template <int Dim>
+inline void add_repulsion(const ParticleSystem<Dim>& particles, std::size_t i, bool near_object, double scale,
+                          std::array<double, Dim>& acceleration) {
+  if (particles.virtual_particles.empty() && !near_object) return;
+  const std::array<double, Dim> at = particles.position_of(i);
+  std::array<double, Dim> push{};
+  particles.virtual_particles.add_acceleration(at, push);
+  if (near_object) {
+    Vec3d from_objects = Vec3d::Zero();
+    particles.solids.add_repulsion(particles.scene.domain_min + particles.scene_vector(at), from_objects);
+    for (int d = 0; d < Dim; ++d) push[d] += from_objects[scene_axis<Dim>(d)];
+  }
+  for (int d = 0; d < Dim; ++d) acceleration[d] += scale * push[d];
+}
+
+}  // namespace eisph

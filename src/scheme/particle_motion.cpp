@@ -1,0 +1,179 @@
+#include "scheme/particle_motion.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace eisph {
+
+namespace {
+
+/// Blow-up: speeds beyond this many times the largest that gravity and the initial state explain.
+constexpr double kSpeedLimitFactor = 20.0;
+constexpr std::size_t kHistogramBlock = 8192;
+/// Classes of the compression histogram: 1e-3 wide below 0.5, the rest in wider ones.
+constexpr double kClassWidth = 1e-3;
+
+}  // namespace
+
+template <int Dim>
+ParticleMotion<Dim>::ParticleMotion(const ParticleSystem<Dim>& particles) {
+  const Scene& scene = particles.scene;
+  const double fall =
+      std::sqrt(2.0 * scene.gravity.norm() * (scene.domain_max - scene.domain_min).maxCoeff());
+  speed_limit_ = kSpeedLimitFactor * std::max({scene.reference_speed(), fall, particles.speed_max});
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::settle(ParticleSystem<Dim>& particles, std::size_t i, double lead, bool near_object,
+                                 Components& position, Components& velocity, BlockSums& sums) const {
+  double squared = 0.0;
+  for (int d = 0; d < Dim; ++d) squared += velocity[d] * velocity[d];
+  if (!(squared < speed_limit_ * speed_limit_) && sums.bad_row == kNoRow) {
+    sums.bad_row = static_cast<std::uint32_t>(i);
+    sums.bad_velocity = velocity;
+    sums.bad_position = particles.position_of(i);
+  }
+  contain(particles, near_object, position, velocity, sums);
+  for (int d = 0; d < Dim; ++d) {
+    particles.position[d][i] = position[d];
+    particles.velocity[d][i] = static_cast<float>(velocity[d]);
+    sums.kinetic += 0.5 * velocity[d] * velocity[d];
+    sums.potential -= particles.gravity[d] * (position[d] - lead * velocity[d]);
+  }
+  sums.speed_squared_max = std::max(sums.speed_squared_max, squared);
+  sums.number_density_max =
+      std::max(sums.number_density_max, static_cast<double>(particles.number_density[i]));
+}
+
+/// Safety clamp: a particle beyond a wall or inside a solid is counted as a penetration and put back, without
+/// the velocity that took it there. A particle that crosses a symmetry plane changes places with its mirror
+/// image, which is no penetration.
+template <int Dim>
+void ParticleMotion<Dim>::contain(const ParticleSystem<Dim>& particles, bool near_object,
+                                  Components& position, Components& velocity, BlockSums& sums) const {
+  const Scene& scene = particles.scene;
+  bool penetrated = false;
+  for (int d = 0; d < Dim; ++d) {
+    const double extent = particles.extent[d];
+    const int axis = scene_axis<Dim>(d);
+    const bool low = position[d] < 0.0;
+    if (!low && !(position[d] > extent)) continue;
+    const FaceKind kind = scene.faces[2 * axis + (low ? 0 : 1)].kind;
+    if (kind == FaceKind::Open) continue;
+    const double mirrored = (low ? 0.0 : 2.0 * extent) - position[d];
+    position[d] = low ? std::min(mirrored, 0.5 * extent) : std::max(mirrored, 0.5 * extent);
+    if (kind == FaceKind::Symmetry) {
+      velocity[d] = -velocity[d];
+      continue;
+    }
+    velocity[d] = low ? std::max(velocity[d], 0.0) : std::min(velocity[d], 0.0);
+    penetrated = true;
+  }
+  if (near_object) {
+    Vec3d point = scene.domain_min + particles.scene_vector(position);
+    Vec3d normal = Vec3d::Zero();
+    if (particles.solids.push_out(point, normal)) {
+      penetrated = true;
+      double inward = 0.0;
+      for (int d = 0; d < Dim; ++d) inward += velocity[d] * normal[scene_axis<Dim>(d)];
+      for (int d = 0; d < Dim; ++d) {
+        const int axis = scene_axis<Dim>(d);
+        position[d] = point[axis] - scene.domain_min[axis];
+        if (inward < 0.0) velocity[d] -= inward * normal[axis];
+      }
+    }
+  }
+  if (penetrated) ++sums.penetrations;
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::add_up(ParticleSystem<Dim>& particles, const StepInHand& step) {
+  double kinetic = 0.0;
+  double potential = 0.0;
+  double squared = 0.0;
+  double density = 0.0;
+  for (const BlockSums& block : blocks_) {
+    kinetic += block.kinetic;
+    potential += block.potential;
+    squared = std::max(squared, block.speed_squared_max);
+    density = std::max(density, block.number_density_max);
+    penetrations_ += block.penetrations;
+    if (block.bad_row != kNoRow) throw_blow_up(particles, step, block);
+  }
+  particles.speed_max = std::sqrt(squared);
+  compression_max_ = std::max(compression_max_, density - 1.0);
+  energy_ = (kinetic + potential) * particles.scene.density * particles.volume;
+  energy_gain_max_ = std::max(energy_gain_max_, energy_ - energy_lowest_);
+  energy_lowest_ = std::min(energy_lowest_, energy_);
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::throw_blow_up(const ParticleSystem<Dim>& particles, const StepInHand& step,
+                                        const BlockSums& block) const {
+  const Vec3d place = particles.scene.domain_min + particles.scene_vector(block.bad_position);
+  const Vec3d velocity = particles.scene_vector(block.bad_velocity);
+  throw BlowUpError(fmt::format(
+      "the run blew up at t = {:.6g} s, step {} (time step {:.4g} s): particle {} at ({:.5g}, {:.5g}, "
+      "{:.5g}) m "
+      "has velocity ({:.4g}, {:.4g}, {:.4g}) m/s; speeds up to {:.4g} m/s are taken as physical. A smaller "
+      "time step (scheme.phi or scheme.time_step) is the usual cure.",
+      step.time, step.number, step.time_step, particles.id[block.bad_row], place.x(), place.y(), place.z(),
+      velocity.x(), velocity.y(), velocity.z(), speed_limit_));
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::record_compression(ParticleSystem<Dim>& particles) {
+  histograms_.resize(static_cast<std::size_t>(particles.pool.threads()));
+  for (auto& histogram : histograms_) histogram.fill(0);
+  particles.pool.run_blocks(
+      particles.fluid, kHistogramBlock, [&](std::size_t first, std::size_t last, int worker) {
+        auto& histogram = histograms_[static_cast<std::size_t>(worker)];
+        const auto top = static_cast<float>(histogram.size() - 1);
+        for (std::size_t i = first; i < last; ++i) {
+          const float value = (particles.number_density[i] - 1.0F) * static_cast<float>(1.0 / kClassWidth);
+          ++histogram[static_cast<std::size_t>(std::clamp(value, 0.0F, top))];
+        }
+      });
+  const auto wanted = static_cast<std::uint64_t>(0.05 * particles.fluid);
+  std::uint64_t above = 0;
+  for (std::size_t k = histograms_[0].size(); k-- > 0;) {
+    for (const auto& histogram : histograms_) above += histogram[k];
+    if (above > wanted) {
+      // The first class holds everything that is not compressed.
+      const double value = k == 0 ? 0.0 : kClassWidth * (static_cast<double>(k) + 0.5);
+      compression_p95_ = std::max(compression_p95_, value);
+      return;
+    }
+  }
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::record_initial_energy(const ParticleSystem<Dim>& particles) {
+  double energy = 0.0;
+  for (std::uint32_t i = 0; i < particles.fluid; ++i) {
+    for (int d = 0; d < Dim; ++d) {
+      const double u = particles.velocity[d][i];
+      energy += 0.5 * u * u - particles.gravity[d] * particles.position[d][i];
+    }
+  }
+  energy_ = energy_initial_ = energy_lowest_ = energy * particles.scene.density * particles.volume;
+}
+
+template <int Dim>
+void ParticleMotion<Dim>::report(RunSummary& summary) const {
+  summary.penetrations = penetrations_;
+  summary.compression_max = compression_max_;
+  summary.compression_p95 = compression_p95_;
+  summary.energy_initial = energy_initial_;
+  summary.energy_final = energy_;
+  summary.energy_gain_max = energy_gain_max_;
+}
+
+template class ParticleMotion<2>;
+template class ParticleMotion<3>;
+
+}  // namespace eisph

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "scheme/neighbour_sums.hpp"
+#include "scheme/particle_system.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace eisph {
+
+/// The pressure equation of incompressible SPH (thesis (3.38), De Castro 2019, section 3.3, as corrected):
+/// P_i = (B_i + sum A_ij P_j) / sum A_ij with A_ij = (2/rho0) V_j x_ij . grad W_ij / (r^2 + eta^2) and
+/// B_i = div s / dt, for the fluid that is not on the free surface and for the wet solids, and what goes with
+/// it: the vector s whose divergence drives it, and the correction of the volume. The fluid's pressures are
+/// the carried scalar of the particles, those of the solids stay with the solids.
+template <int Dim>
+class PressureEquation {
+ public:
+  /// `keeps_source`: whether relax() keeps the right side for sweep_again() and solve().
+  PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source)
+      : particles_(particles), keeps_source_(keeps_source) {}
+
+  /// The source vectors s = omega u^n + dt a of the fluid with a = g + viscosity + repulsion.
+  void set_source(double time_step);
+
+  /// Density, coefficients and right side of the step, and one Jacobi sweep.
+  void relax(double time_step);
+  /// A further Jacobi sweep with unchanged coefficients and right side.
+  void sweep_again();
+  /// Conjugate gradients from the present pressures on until the residual has fallen to `tolerance` of what
+  /// it would be with no pressure at all, in the norm of the preconditioner (the diagonal). Returns the
+  /// number of iterations; ends at `most_iterations`.
+  int solve(double tolerance, int most_iterations);
+  /// Adds Pc_i = kappa max(0, n_i - 1) / (|sum A| dt^2) for the gradient and the output; it never enters the
+  /// next sweep, and does not act on the free surface and on solids.
+  void correct_volume(double time_step);
+  /// Puts the pressures into the table, for the images too; the fluid's with the correction or without.
+  void publish(bool with_correction);
+
+  /// The pressure of t = 0 by the choice of the scene, with the gates as they stand then: the equation solved
+  /// to convergence, hydrostatic, or zero. Puts it into the table.
+  void find_initial_pressure();
+
+  [[nodiscard]] std::size_t bytes() const {
+    return coefficient_.bytes() + source_term_.bytes() + object_pressure_.bytes() +
+           object_coefficient_.bytes() + 5 * pressure_.capacity() * sizeof(double);
+  }
+
+ private:
+  /// What the equation needs to know of a row.
+  struct Sums {
+    double number_density;
+    double coefficient;  ///< -sum A_ij rho0 h^2 / (2 alpha), positive
+    double pressure;     ///< the same sum weighted with P_j, Pa
+    double divergence;   ///< of the source vector, 1/s x s
+  };
+  template <bool WithDensity>
+  [[nodiscard]] Sums sums(std::uint32_t row) const;
+  [[nodiscard]] double coefficient_pressure_sum(std::uint32_t row) const;
+  [[nodiscard]] bool is_pressureless(const Sums& sums, bool object) const;
+  [[nodiscard]] double relaxed(const Sums& sums, double time_step) const;
+  /// Factor of B_i in the units of Sums::coefficient, Pa s.
+  [[nodiscard]] double source_factor() const {
+    return particles_.scene.density * particles_.h * particles_.h / (2.0 * particles_.alpha);
+  }
+
+  void set_initial_source();
+  void set_hydrostatic_pressure();
+
+  // Unknowns: the fluid, then the solids in the order of the table.
+  [[nodiscard]] std::size_t unknowns() const { return particles_.fluid + particles_.objects(); }
+  [[nodiscard]] std::uint32_t unknown_row(std::size_t k) const {
+    return k < particles_.fluid ? particles_.fluid_row(k) : particles_.object_row(k - particles_.fluid);
+  }
+  [[nodiscard]] float coefficient_of(std::size_t k) const {
+    return k < particles_.fluid ? coefficient_[k] : object_coefficient_[k - particles_.fluid];
+  }
+  [[nodiscard]] float& pressure_of(std::size_t k) {
+    return k < particles_.fluid ? particles_.carried[k] : object_pressure_[k - particles_.fluid];
+  }
+
+  ParticleSystem<Dim>& particles_;
+  bool keeps_source_;
+  AlignedBuffer<float> coefficient_;      ///< Sums::coefficient of the fluid, zero where there is no pressure
+  AlignedBuffer<float> source_term_;      ///< right side of the unknowns, Pa
+  AlignedBuffer<float> object_pressure_;  ///< of the solids, in table order, Pa
+  AlignedBuffer<float> object_coefficient_;
+  // Of solve().
+  std::vector<double> diagonal_, pressure_, residual_, direction_, product_, block_sums_;
+};
+
+}  // namespace eisph
