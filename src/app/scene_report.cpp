@@ -1,7 +1,10 @@
 #include "app/scene_report.hpp"
 
 #include "app/output_plan.hpp"
+#include "core/scheme_list.hpp"
 #include "io/comparison_file.hpp"
+
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -74,7 +77,16 @@ void add_tables(Report& report, const Scene& scene, const OutputCounts& counts) 
                                    counts.probe_times));
 }
 
+std::string scheme_meaning(const std::string& name) {
+#define EISPH_MEANING(scheme, meaning) \
+  if (name == #scheme) return meaning;
+  EISPH_SCHEMES(EISPH_MEANING)
+#undef EISPH_MEANING
+  return name;
+}
+
 void add_particles(Report& report, const Scene& scene, const SimulationPlan& plan) {
+  report.row("scheme", scheme_meaning(scene.scheme.name));
   report.row("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.particle_spacing,
                                     scene.smoothing_length()));
   report.row("particles", fmt::format("{} fluid, {} object, {} virtual (not stored), {} ghost at t = 0",
@@ -110,11 +122,15 @@ std::string scene_report(const Scene& scene, const SimulationPlan& plan, std::ui
   if (cells) {
     report.row("long waves", fmt::format("{:.3g} m/s in water as deep as the reference depth, {:g} m",
                                          plan.effective_sound_speed, scene.reference_depth));
+  } else if (std::isinf(plan.effective_sound_speed)) {
+    report.row("speed of sound",
+               fmt::format("infinite: pressure solved to {:g} of its residual, {:.3g} m/s expected",
+                           scene.scheme.pressure_tolerance, scene.expected_speed()));
   } else {
     report.row("speed of sound",
                fmt::format("{:.3g} m/s effective, Mach number {:.2g} at the speed expected, {:.3g} m/s",
-                           plan.effective_sound_speed, scene.reference_speed() / plan.effective_sound_speed,
-                           scene.reference_speed()));
+                           plan.effective_sound_speed, scene.expected_speed() / plan.effective_sound_speed,
+                           scene.expected_speed()));
   }
 
   const OutputCounts counts = OutputPlan(scene, true).counts(scene.end_time);

@@ -43,7 +43,7 @@ void warn_of_thin_solid(std::vector<std::string>& warnings, const Scene& scene, 
 }
 
 void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
-  const double phi = plan.time_step * scene.reference_speed() / scene.particle_spacing;
+  const double phi = plan.time_step * scene.expected_speed() / scene.particle_spacing;
   const double slack = 1.0 + 1e-6;
   const bool objects = plan.object_particles > 0;
   if (phi > kLargestPhi * slack) {
@@ -55,7 +55,8 @@ void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, c
                     "may pass through them",
                     phi));
   }
-  if (scene.scheme.time_step_mode != TimeStepMode::Adaptive) return;
+  const bool incompressible = scene.scheme.name == "eisph" || scene.scheme.name == "isph";
+  if (!incompressible || scene.scheme.time_step_mode != TimeStepMode::Adaptive) return;
   Scene inviscid = scene;
   inviscid.kinematic_viscosity = 0.0;
   inviscid.artificial_viscosity = 0.0;

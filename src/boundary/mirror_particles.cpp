@@ -16,12 +16,13 @@ Float4 mirror_position(const typename MirrorPlanes<Dim>::Image& image, const Flo
   return out;
 }
 
+/// `factors`: by component.
 template <int Dim>
-Float4 mirror_vector(const typename MirrorPlanes<Dim>::Image& image, const Float4& row) {
+Float4 mirror_vector(const std::array<float, Dim>& factors, const Float4& row) {
   Float4 out;
-  out.x = image.velocity[0] * row.x;
-  out.y = image.velocity[1] * row.y;
-  if constexpr (Dim == 3) out.z = image.velocity[2] * row.z;
+  out.x = factors[0] * row.x;
+  out.y = factors[1] * row.y;
+  if constexpr (Dim == 3) out.z = factors[2] * row.z;
   out.w = row.w;
   return out;
 }
@@ -85,7 +86,20 @@ void MirrorParticles<Dim>::mirror_vectors(const MirrorPlanes<Dim>& planes, const
   pool.run_blocks(images_.size(), kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t k = first; k < last; ++k) {
       const Entry& entry = images_[k];
-      out[k] = mirror_vector<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)), rows[entry.origin]);
+      out[k] = mirror_vector<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)).velocity,
+                                  rows[entry.origin]);
+    }
+  });
+}
+
+template <int Dim>
+void MirrorParticles<Dim>::mirror_gradients(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out,
+                                            ThreadPool& pool) const {
+  pool.run_blocks(images_.size(), kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Entry& entry = images_[k];
+      out[k] =
+          mirror_vector<Dim>(planes.image(static_cast<std::uint8_t>(entry.code)).scale, rows[entry.origin]);
     }
   });
 }

@@ -31,6 +31,9 @@ class MirrorParticles {
                         ThreadPool& pool) const;
   void mirror_vectors(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out,
                       ThreadPool& pool) const;
+  /// Like mirror_vectors, of gradients: reflected whatever the slip of the walls.
+  void mirror_gradients(const MirrorPlanes<Dim>& planes, const Float4* rows, Float4* out,
+                        ThreadPool& pool) const;
   void mirror_pressure(const Float4* rows, Float4* out, ThreadPool& pool) const;
 
  private:

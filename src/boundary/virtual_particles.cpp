@@ -13,7 +13,7 @@ constexpr double kNearest = 1e-3;
 }  // namespace
 
 Repulsion::Repulsion(const Scene& scene) {
-  const double speed_squared = scene.reference_speed() * scene.reference_speed();
+  const double speed_squared = scene.expected_speed() * scene.expected_speed();
   cutoff = scene.boundary.repulsion_cutoff * scene.particle_spacing;
   strength = scene.boundary.repulsion_strength * speed_squared;
   cap = scene.boundary.repulsion_cap * speed_squared / scene.particle_spacing;

@@ -12,8 +12,8 @@ namespace eisph {
 /// not more than the cap.
 struct Repulsion {
   double cutoff = 0.0;    ///< r0, m
-  double strength = 0.0;  ///< c^2 = repulsion_strength 2 g H, m^2/s^2
-  double cap = 0.0;       ///< m/s^2; in units of 2 g H / dx it is the same at every scale
+  double strength = 0.0;  ///< c^2 = repulsion_strength Umax^2, m^2/s^2
+  double cap = 0.0;       ///< m/s^2; in units of Umax^2 / dx it is the same at every scale
 
   Repulsion() = default;
   explicit Repulsion(const Scene& scene);

@@ -83,12 +83,12 @@ void visit_centres(const Scene& scene, const Visit& visit) {
     if (scene.fluid[r].cut) continue;
     const bool went_on = walk(scene, lattice_block(scene, scene.fluid[r].shape), [&](const Vec3d& point) {
       if (!inside(scene.fluid[r], point)) return true;
-      Vec3d velocity = scene.fluid[r].velocity;
+      Vec3d velocity = scene.fluid[r].velocity_at(point);
       for (std::size_t other = 0; other < scene.fluid.size(); ++other) {
         const FluidRegion& region = scene.fluid[other];
         if (other == r || !inside(region, point)) continue;
         if (region.cut || other < r) return true;  // taken out, or already there from an earlier region
-        velocity = region.velocity;
+        velocity = region.velocity_at(point);
       }
       return static_cast<bool>(visit(point, velocity));
     });

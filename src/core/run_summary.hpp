@@ -18,11 +18,13 @@ struct RunSummary {
   std::uint64_t ghost_particles_max = 0;  ///< most ghosts held at once
   int threads = 1;
   std::uint64_t steps = 0;
-  double simulated_time = 0.0;                               ///< s
-  double time_step_mean = 0.0;                               ///< s
-  double wall_time_loop = 0.0;                               ///< s, time loop alone
-  double wall_time_initial_pressure = 0.0;                   ///< s
-  double particle_steps_per_second = 0.0;                    ///< fluid particles x steps / wall_time_loop
+  double simulated_time = 0.0;              ///< s
+  double time_step_mean = 0.0;              ///< s
+  double wall_time_loop = 0.0;              ///< s, time loop alone
+  double wall_time_initial_pressure = 0.0;  ///< s
+  double particle_steps_per_second = 0.0;   ///< fluid particles x steps / wall_time_loop
+  double pair_evaluations = 0.0;  ///< neighbour-list entries read, padding included, over the whole run
+  double pressure_iterations_mean = 0.0;                     ///< of isph, in a step
   double cpu_time_total = 0.0;                               ///< s, all threads of the process
   std::map<std::string, double> stage_ns_per_particle_step;  ///< wall clock ns, by stage
   double state_bytes_per_particle = 0.0;

@@ -35,6 +35,13 @@ struct FluidRegion {
   Shape shape;
   bool cut = false;                ///< takes particles out instead of adding them
   Vec3d velocity = Vec3d::Zero();  ///< initial velocity, m/s
+  double angular_velocity = 0.0;   ///< about the y axis through the centre of the bounds, rad/s
+  double vortex_speed = 0.0;       ///< of a Taylor-Green vortex with the bounds as its period in x and z, m/s
+
+  /// Initial velocity at `point` (m), m/s.
+  [[nodiscard]] Vec3d velocity_at(const Vec3d& point) const;
+  /// Not less than the largest initial speed, m/s.
+  [[nodiscard]] double fastest() const;
 
   bool operator==(const FluidRegion&) const = default;
 };
@@ -89,7 +96,19 @@ struct PointProbe {
   bool operator==(const PointProbe&) const = default;
 };
 
-enum class Stepping { Symplectic, Thesis };
+/// How a step integrates in time. Incompressible schemes have the first two, weakly compressible ones all but
+/// the second.
+enum class Stepping {
+  Symplectic,          ///< leap-frog: positions half a step ahead of the velocities
+  Thesis,              ///< positions by the mean of old and new velocity
+  PredictorCorrector,  ///< two stages, the second at the middle of the step
+  RungeKutta,          ///< the classical four stages
+};
+/// Form of the density diffusion.
+enum class DensityDiffusion {
+  Plain,         ///< of the density (Molteni & Colagrossi 2009)
+  Renormalised,  ///< of what its gradient does not explain (Antuono et al. 2010)
+};
 enum class InitialPressure { Solve, Hydrostatic, Zero };
 enum class TimeStepMode { Adaptive, Fixed };
 
@@ -105,6 +124,17 @@ struct SchemeSettings {
   double free_surface_threshold = 0.9;  ///< of the normalised number density
   InitialPressure initial_pressure = InitialPressure::Solve;
   bool clamp_pressure = true;  ///< no negative pressure
+  double shifting = 0.0;       ///< coefficient A of the particle shifting
+
+  // Of wcsph and delta_sph.
+  double sound_speed = 0.0;  ///< c0, m/s
+  double courant = 0.0;      ///< dt (c0 + Umax) / h of the adaptive step
+  double diffusion = 0.1;    ///< delta, coefficient of the density diffusion
+  DensityDiffusion diffusion_form = DensityDiffusion::Renormalised;
+
+  // Of isph.
+  double pressure_tolerance = 1e-3;  ///< of the residual, relative to that of no pressure
+  int pressure_iterations = 500;     ///< most of them in a step
 
   bool operator==(const SchemeSettings&) const = default;
 };
@@ -137,8 +167,8 @@ struct BoundarySettings {
   bool virtual_particles = true;
   RepulsionForm repulsion_form = RepulsionForm::Even;
   double repulsion_cutoff = 0.4;    ///< r0 / dx
-  double repulsion_strength = 1.0;  ///< c^2 / (2 g H)
-  double repulsion_cap = 5.0;       ///< largest acceleration, in units of 2 g H / dx
+  double repulsion_strength = 1.0;  ///< c^2 / Umax^2
+  double repulsion_cap = 5.0;       ///< largest acceleration, in units of Umax^2 / dx
   bool object_repulsion = true;     ///< surfaces of objects repel by the same law
   bool object_no_slip = true;       ///< objects take part in the viscous sum
 
@@ -240,6 +270,8 @@ struct Scene {
   [[nodiscard]] double support_radius() const { return 2.0 * smoothing_length(); }
   /// sqrt(2 g H): the speed expected of the wave, m/s.
   [[nodiscard]] double reference_speed() const;
+  /// The larger of the reference speed and the fastest initial velocity, m/s.
+  [[nodiscard]] double expected_speed() const;
 
   bool operator==(const Scene&) const = default;
 };

@@ -16,11 +16,11 @@ using Json = nlohmann::ordered_json;
 Json summary_json(const RunSummary& summary) {
   const auto& [scene, scheme, status, message, dimension, fluid_particles, object_particles,
                ghost_particles_max, threads, steps, simulated_time, time_step_mean, wall_time_loop,
-               wall_time_initial_pressure, particle_steps_per_second, cpu_time_total,
-               stage_ns_per_particle_step, state_bytes_per_particle, state_bytes_by_array, peak_rss_bytes,
-               penetrations, lost_particles, outflow_particles, outflow_volume, compression_max,
-               compression_p95, energy_initial, energy_final, energy_gain_max, mass_error, frames_written,
-               frames_dropped] = summary;
+               wall_time_initial_pressure, particle_steps_per_second, pair_evaluations,
+               pressure_iterations_mean, cpu_time_total, stage_ns_per_particle_step, state_bytes_per_particle,
+               state_bytes_by_array, peak_rss_bytes, penetrations, lost_particles, outflow_particles,
+               outflow_volume, compression_max, compression_p95, energy_initial, energy_final,
+               energy_gain_max, mass_error, frames_written, frames_dropped] = summary;
   Json json;
 #define EISPH_PUT(name) json[#name] = name  // NOLINT(cppcoreguidelines-macro-usage)
   EISPH_PUT(scene);
@@ -38,6 +38,8 @@ Json summary_json(const RunSummary& summary) {
   EISPH_PUT(wall_time_loop);
   EISPH_PUT(wall_time_initial_pressure);
   EISPH_PUT(particle_steps_per_second);
+  EISPH_PUT(pair_evaluations);
+  EISPH_PUT(pressure_iterations_mean);
   EISPH_PUT(cpu_time_total);
   EISPH_PUT(stage_ns_per_particle_step);
   EISPH_PUT(state_bytes_per_particle);

@@ -86,6 +86,30 @@ void check_times(const Scene& scene, const TomlSource& source) {
   }
 }
 
+/// Which steppings a scheme has, and what its pressure needs.
+void check_scheme(const Scene& scene, const TomlSource& source) {
+  const SchemeSettings& scheme = scene.scheme;
+  if (scheme.name == "shallow_water") return;
+  const bool weakly_compressible = scheme.name == "wcsph" || scheme.name == "delta_sph";
+  const bool several_stages =
+      scheme.stepping == Stepping::PredictorCorrector || scheme.stepping == Stepping::RungeKutta;
+  if (weakly_compressible && scheme.stepping == Stepping::Thesis) {
+    source.fail("scheme.stepping",
+                fmt::format("scheme.name is \"{}\"; expected \"symplectic\", \"predictor_corrector\" or "
+                            "\"runge_kutta\"",
+                            scheme.name));
+  }
+  if (!weakly_compressible && several_stages) {
+    source.fail("scheme.stepping",
+                fmt::format("scheme.name is \"{}\"; expected \"symplectic\" or \"thesis\"", scheme.name));
+  }
+  if (weakly_compressible && !(scheme.sound_speed > 0.0)) {
+    source.fail("scheme.sound_speed",
+                "missing, and neither gravity nor an initial velocity tells the speed expected; expected a "
+                "number above 0, in m/s");
+  }
+}
+
 /// What the depth-averaged equations need.
 void check_shallow_water(const Scene& scene, const TomlSource& source) {
   if (scene.scheme.name != "shallow_water") return;
@@ -155,14 +179,15 @@ std::string solid_path(const Scene& scene, const TomlSource& source, std::size_t
 }
 
 void check_settings(const Scene& scene, const TomlSource& source) {
-  if (scene.gravity.norm() == 0.0) {
-    source.fail(
-        "gravity",
-        "expected an acceleration that is not zero, for example [0.0, 0.0, -9.81] (2D: [0.0, -9.81])");
+  if (scene.expected_speed() == 0.0) {
+    source.fail("gravity",
+                "nothing moves; expected an acceleration that is not zero, for example [0.0, 0.0, -9.81] "
+                "(2D: [0.0, -9.81]), or an initial velocity");
   }
   check_names(scene, source);
   check_gates(scene, source);
   check_times(scene, source);
+  check_scheme(scene, source);
   check_shallow_water(scene, source);
   check_images(scene, source);
 }

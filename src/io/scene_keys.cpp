@@ -123,8 +123,12 @@ KeyTable<SchemeSettings> scheme_keys() {
                                "[boundary] and all but the spacing in [particles] have no effect.");
   keys.choice<Stepping>(
       "stepping", &SchemeSettings::stepping,
-      {{"symplectic", Stepping::Symplectic}, {"thesis", Stepping::Thesis}},
-      "Update of the positions: with the new velocity, or with the mean of old and new one.");
+      {{"symplectic", Stepping::Symplectic},
+       {"thesis", Stepping::Thesis},
+       {"predictor_corrector", Stepping::PredictorCorrector},
+       {"runge_kutta", Stepping::RungeKutta}},
+      "Leap-frog, with positions half a step ahead of the velocities; positions by the mean of old and new "
+      "velocity (eisph, isph); two stages, or the classical four (wcsph, delta_sph).");
   keys.add(
       {.name = "time_step",
        .type = "\"adaptive\" or a number above 0",
@@ -145,7 +149,7 @@ KeyTable<SchemeSettings> scheme_keys() {
       .fallback("0.17, with thesis stepping 0.06");
   keys.number("source_factor", "", &SchemeSettings::source_factor, above_to(0.0, 20.0),
               "Weight omega of the present velocity in the source of the pressure equation.")
-      .fallback("3.0, with thesis stepping 1.0");
+      .fallback("3.0, of isph and with thesis stepping 1.0");
   keys.add(
           {.name = "volume_correction",
            .type = "\"automatic\" or a number from 0 to 4",
@@ -172,6 +176,26 @@ KeyTable<SchemeSettings> scheme_keys() {
        {"zero", InitialPressure::Zero}},
       "Pressure at t = 0: the pressure equation swept to convergence, rho g depth, or none.");
   keys.boolean("clamp_pressure", &SchemeSettings::clamp_pressure, "Replace negative pressure by zero.");
+  keys.number(
+      "shifting", "", &SchemeSettings::shifting, between(0.0, 10.0),
+      "Coefficient A of a shift of the particles by -A h |u| dt times the gradient of the number density, "
+      "away from the free surface; evens out flows that stretch the particles along lines. 0: none.");
+  keys.number("sound_speed", "m/s", &SchemeSettings::sound_speed, at_least(0.0),
+              "Speed of sound c0 of wcsph and delta_sph.")
+      .fallback("10 Umax, Umax the larger of sqrt(2 g H) and the initial speed");
+  keys.number("courant", "", &SchemeSettings::courant, above_to(0.0, 4.0),
+              "Adaptive time step of wcsph and delta_sph, dt (c0 + Umax) / h.")
+      .fallback("0.25, predictor_corrector 0.4, runge_kutta 1.5");
+  keys.number("diffusion", "", &SchemeSettings::diffusion, between(0.0, 1.0),
+              "Coefficient delta of the density diffusion of delta_sph.");
+  keys.choice<DensityDiffusion>(
+      "diffusion_form", &SchemeSettings::diffusion_form,
+      {{"renormalised", DensityDiffusion::Renormalised}, {"plain", DensityDiffusion::Plain}},
+      "Diffusion of what the renormalised density gradient does not explain, or of the density itself.");
+  keys.number("pressure_tolerance", "", &SchemeSettings::pressure_tolerance, above_to(0.0, 0.5),
+              "Residual at which isph ends its conjugate gradients, relative to that of no pressure.");
+  keys.integer("pressure_iterations", "", &SchemeSettings::pressure_iterations, between(1.0, 100000.0),
+               "Most conjugate-gradient iterations of isph in a step.");
   return keys;
 }
 
@@ -207,9 +231,9 @@ KeyTable<BoundarySettings> boundary_keys() {
                "Surfaces of obstacles, dams and gates repel by the same law.");
   keys.number("repulsion_cutoff", "dx", &BoundarySettings::repulsion_cutoff, above_to(0.0, 1.0),
               "Distance r0 from a virtual particle within which the repulsion acts.");
-  keys.number("repulsion_strength", "2 g H", &BoundarySettings::repulsion_strength, at_least(0.0),
+  keys.number("repulsion_strength", "Umax^2", &BoundarySettings::repulsion_strength, at_least(0.0),
               "Square c^2 of the speed that scales the repulsion.");
-  keys.number("repulsion_cap", "2 g H / dx", &BoundarySettings::repulsion_cap, above(0.0),
+  keys.number("repulsion_cap", "Umax^2 / dx", &BoundarySettings::repulsion_cap, above(0.0),
               "Largest acceleration that the repulsion causes.");
   keys.boolean("object_no_slip", &BoundarySettings::object_no_slip,
                "Object particles take part in the viscous sum: obstacles are not slippery.");
@@ -237,7 +261,8 @@ KeyTable<Scene> scene_keys() {
       .fallback("none")
       .when("with dimension = 3", [](const Scene&, int dimension) { return dimension == 3; });
   keys.number("end_time", "s", &Scene::end_time, above(0.0), "Time at which the run ends.").required();
-  keys.vector("gravity", "m/s^2", &Scene::gravity, "Acceleration of gravity; not zero. Keep z the vertical.");
+  keys.vector("gravity", "m/s^2", &Scene::gravity,
+              "Acceleration of gravity; zero only for water that moves at the start. Keep z the vertical.");
   keys.section("particles", kSelf, particle_keys(), "Resolution.");
   keys.section("fluid", kSelf, fluid_keys(), "The water.");
   keys.section("domain", kSelf, domain_keys(), "The tank: a box.");

@@ -126,6 +126,13 @@ KeyTable<FluidRegion> fluid_region_keys() {
   keys.boolean("cut", &FluidRegion::cut, "Take this part out of the water instead of adding it.");
   keys.vector("velocity", "m/s", &FluidRegion::velocity, "Velocity at t = 0.")
       .when("with cut = false", [](const FluidRegion& region, int) { return !region.cut; });
+  keys.number("angular_velocity", "rad/s", &FluidRegion::angular_velocity, any_number(),
+              "Rotation at t = 0 about the y axis through the centre of the region, added to the velocity.")
+      .when("with cut = false", [](const FluidRegion& region, int) { return !region.cut; });
+  keys.number(
+          "vortex_speed", "m/s", &FluidRegion::vortex_speed, any_number(),
+          "Largest speed along x of a Taylor-Green vortex at t = 0, one period over the region in x and z.")
+      .when("with cut = false", [](const FluidRegion& region, int) { return !region.cut; });
   return keys;
 }
 

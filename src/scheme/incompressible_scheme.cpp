@@ -8,9 +8,8 @@ void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step) {
   const double time_step = step.time_step;
   const double omega = p.scene.scheme.source_factor;
   const bool lead = this->positions_lead();
-  // Positions that lead go from half a step of the last length past its end to half a step of the present
-  // length past the end of this one.
-  const double drift = 1.5 * time_step - 0.5 * step.last_time_step;
+  const double drift = step.leading_drift();
+  p.count_pass();
   this->motion_.advance(p, step, lead ? 0.5 * time_step : 0.0,
                         [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
                           const std::uint32_t row = p.fluid_row(i);

@@ -87,22 +87,37 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   return acceleration;
 }
 
+/// Gradient of the number density at table row `row`, 1/m.
+template <int Dim>
+inline Vector<Dim, double> concentration_gradient(const ParticleSystem<Dim>& particles, std::uint32_t row,
+                                                  const Neighbours& near) {
+  const SourceTable& table = particles.table;
+  ConcentrationGradientSum<Dim, Pack> sum;
+  for_neighbours<Dim>(table, row, near,
+                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack&) {
+                        sum.add(pair, gather_rows(table.source.data(), j).w);
+                      });
+  Vector<Dim, double> gradient;
+  for (int d = 0; d < Dim; ++d)
+    gradient.x[d] = particles.alpha / particles.h * horizontal_sum(sum.value.x[d]);
+  return gradient;
+}
+
 /// Repulsion grows with the square of the largest speed, as the step shrinks with that speed: a push stays
 /// the same fraction of dx per step (thesis (3.40): c^2 is of the scale of the square of the largest
 /// velocity).
 template <int Dim>
 inline double repulsion_scale(const ParticleSystem<Dim>& particles) {
-  const double reference = particles.scene.reference_speed();
+  const double reference = particles.scene.expected_speed();
   if (!(particles.speed_max > reference) || reference <= 0.0) return 1.0;
   return particles.speed_max * particles.speed_max / (reference * reference);
 }
 
-/// Adds the repulsion of walls and solids on fluid particle `i` times `scale`, m/s^2.
+/// Adds the repulsion of walls and solids at `at` (m from the domain's lower corner) times `scale`, m/s^2.
 template <int Dim>
-inline void add_repulsion(const ParticleSystem<Dim>& particles, std::size_t i, bool near_object, double scale,
-                          std::array<double, Dim>& acceleration) {
+inline void add_repulsion(const ParticleSystem<Dim>& particles, const std::array<double, Dim>& at,
+                          bool near_object, double scale, std::array<double, Dim>& acceleration) {
   if (particles.virtual_particles.empty() && !near_object) return;
-  const std::array<double, Dim> at = particles.position_of(i);
   std::array<double, Dim> push{};
   particles.virtual_particles.add_acceleration(at, push);
   if (near_object) {

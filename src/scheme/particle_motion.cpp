@@ -1,6 +1,7 @@
 #include "scheme/particle_motion.hpp"
 
 #include "core/error.hpp"
+#include "scheme/neighbour_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace {
 
 /// Blow-up: speeds beyond this many times the largest that gravity and the initial state explain.
 constexpr double kSpeedLimitFactor = 20.0;
+/// Largest shift of a particle in a step, in particle spacings.
+constexpr double kLargestShift = 0.1;
 constexpr std::size_t kHistogramBlock = 8192;
 /// Classes of the compression histogram: 1e-3 wide below 0.5, the rest in wider ones.
 constexpr double kClassWidth = 1e-3;
@@ -24,7 +27,28 @@ ParticleMotion<Dim>::ParticleMotion(const ParticleSystem<Dim>& particles) {
   const Scene& scene = particles.scene;
   const double fall =
       std::sqrt(2.0 * scene.gravity.norm() * (scene.domain_max - scene.domain_min).maxCoeff());
-  speed_limit_ = kSpeedLimitFactor * std::max({scene.reference_speed(), fall, particles.speed_max});
+  speed_limit_ = kSpeedLimitFactor * std::max({scene.expected_speed(), fall, particles.speed_max});
+}
+
+/// -A h |u| dt grad n (Lind et al. 2012, Skillen et al. 2013), at most a tenth of the spacing; the velocity
+/// stays. Not on the free surface.
+template <int Dim>
+void ParticleMotion<Dim>::shift(const ParticleSystem<Dim>& particles, std::size_t i, const Neighbours& near,
+                                double time_step, Components& position, const Components& velocity) const {
+  const Scene& scene = particles.scene;
+  if (particles.number_density[i] < scene.scheme.free_surface_threshold) return;
+  const Vector<Dim, double> gradient = concentration_gradient(particles, particles.fluid_row(i), near);
+  double squared_speed = 0.0;
+  double squared_gradient = 0.0;
+  for (int d = 0; d < Dim; ++d) {
+    squared_speed += velocity[d] * velocity[d];
+    squared_gradient += gradient.x[d] * gradient.x[d];
+  }
+  const double factor = scene.scheme.shifting * particles.h * std::sqrt(squared_speed) * time_step;
+  const double length = factor * std::sqrt(squared_gradient);
+  const double most = kLargestShift * scene.particle_spacing;
+  const double scale = length > most ? factor * most / length : factor;
+  for (int d = 0; d < Dim; ++d) position[d] -= scale * gradient.x[d];
 }
 
 template <int Dim>

@@ -15,6 +15,10 @@ struct StepInHand {
   double time = 0.0;            ///< s, at its beginning
   double time_step = 0.0;       ///< s
   double last_time_step = 0.0;  ///< s, of the step before; of the first step its own
+
+  /// Positions that lead go from half a step of the last length past its end to half a step of the present
+  /// length past the end of this one, s.
+  [[nodiscard]] double leading_drift() const { return 1.5 * time_step - 0.5 * last_time_step; }
 };
 
 /// Where the fluid goes at the end of a step, and what is recorded on the way: blow-ups, penetrations,
@@ -32,6 +36,8 @@ class ParticleMotion {
   /// of velocities, s. Throws BlowUpError when a velocity is beyond reason.
   template <class Update>
   void advance(ParticleSystem<Dim>& particles, const StepInHand& step, double lead, const Update& update) {
+    const bool shifting = particles.scene.scheme.shifting > 0.0;
+    if (shifting) particles.count_pass();
     blocks_.assign((particles.fluid + kBlock - 1) / kBlock, BlockSums{});
     particles.pool.run_blocks(particles.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
       BlockSums sums;
@@ -40,6 +46,7 @@ class ParticleMotion {
         Components position;
         Components velocity;
         update(i, near, position, velocity);
+        if (shifting) shift(particles, i, near, step.time_step, position, velocity);
         settle(particles, i, lead, near.near_object, position, velocity, sums);
       }
       blocks_[first / kBlock] = sums;
@@ -71,6 +78,8 @@ class ParticleMotion {
     Components bad_position{};
   };
 
+  void shift(const ParticleSystem<Dim>& particles, std::size_t i, const Neighbours& near, double time_step,
+             Components& position, const Components& velocity) const;
   void settle(ParticleSystem<Dim>& particles, std::size_t i, double lead, bool near_object,
               Components& position, Components& velocity, BlockSums& sums) const;
   void contain(const ParticleSystem<Dim>& particles, bool near_object, Components& position,

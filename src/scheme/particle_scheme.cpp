@@ -161,7 +161,9 @@ RunSummary ParticleScheme<Dim>::summary() const {
   }
   summary.state_bytes_per_particle =
       static_cast<double>(state_bytes(&summary.state_bytes_by_array)) / static_cast<double>(p.initial_fluid);
+  summary.pair_evaluations = p.pair_evaluations;
   motion_.report(summary);
+  report(summary);
   summary.outflow_particles = p.outflow;
   summary.lost_particles = p.lost_particles();
   summary.mass_error = (static_cast<double>(p.fluid + p.outflow) - static_cast<double>(p.initial_fluid)) /

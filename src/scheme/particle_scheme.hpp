@@ -40,6 +40,8 @@ class ParticleScheme : public Simulation {
   [[nodiscard]] virtual double sound_speed(double time_step) const = 0;
   /// Adds the sizes of the scheme's own arrays, bytes.
   virtual void add_bytes(std::map<std::string, double>& by_array) const = 0;
+  /// Adds the scheme's own figures.
+  virtual void report(RunSummary&) const {}
   /// Bytes per fluid particle of those arrays and of the carried scalar, as planned.
   [[nodiscard]] virtual double planned_bytes() const = 0;
 

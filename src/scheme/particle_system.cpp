@@ -192,10 +192,7 @@ void ParticleSystem<Dim>::place_boundaries(double time) {
   object_images.mirror_positions(planes, positions, image(table.position), pool);
   object_images.mirror_vectors(planes, table.velocity.data() + table.first_object, image(table.velocity),
                                pool);
-  fluid_images.mirror_positions(planes, fluid_rows(table.position), table.position.data() + table.first_image,
-                                pool);
-  fluid_images.mirror_vectors(planes, fluid_rows(table.velocity), table.velocity.data() + table.first_image,
-                              pool);
+  mirror_motion();
 }
 
 template <int Dim>
@@ -236,6 +233,22 @@ void ParticleSystem<Dim>::mirror_pressure() {
 template <int Dim>
 void ParticleSystem<Dim>::mirror_source() {
   fluid_images.mirror_vectors(planes, fluid_rows(table.source), table.source.data() + table.first_image,
+                              pool);
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::mirror_source_gradients() {
+  fluid_images.mirror_gradients(planes, fluid_rows(table.source), table.source.data() + table.first_image,
+                                pool);
+  object_images.mirror_gradients(planes, table.source.data() + table.first_object,
+                                 table.source.data() + table.first_object_image, pool);
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::mirror_motion() {
+  fluid_images.mirror_positions(planes, fluid_rows(table.position), table.position.data() + table.first_image,
+                                pool);
+  fluid_images.mirror_vectors(planes, fluid_rows(table.velocity), table.velocity.data() + table.first_image,
                               pool);
 }
 

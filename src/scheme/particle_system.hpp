@@ -37,6 +37,12 @@ struct ParticleSystem {
   void mirror_pressure();
   /// The images' rows of `table.source` from those of the fluid, as vectors like the velocity.
   void mirror_source();
+  /// The same of fluid and solids, as gradients.
+  void mirror_source_gradients();
+  /// The images' positions and velocities anew, from those of the fluid; which images there are stays.
+  void mirror_motion();
+  /// A pass over all neighbour lists is about to be made.
+  void count_pass() { pair_evaluations += static_cast<double>(neighbours.total()); }
 
   [[nodiscard]] std::uint32_t fluid_row(std::size_t i) const {
     return static_cast<std::uint32_t>(table.first_fluid + i);
@@ -96,6 +102,7 @@ struct ParticleSystem {
 
   std::uint64_t outflow = 0;              ///< particles taken out so far
   std::uint64_t ghost_particles_max = 0;  ///< most images held at once
+  double pair_evaluations = 0.0;          ///< entries of neighbour lists read so far
 
   // Work space of a step.
   CellSort fluid_sort;

@@ -48,6 +48,7 @@ void PressureEquation<Dim>::set_source(double time_step) {
   const double omega = p.scene.scheme.source_factor;
   const bool viscous = p.viscosity > 0.0;
   const double scale = repulsion_scale(p);
+  if (viscous) p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t row = p.fluid_row(i);
@@ -56,7 +57,7 @@ void PressureEquation<Dim>::set_source(double time_step) {
         const Vector<Dim, double> drag = viscous_acceleration(p, row);
         for (int d = 0; d < Dim; ++d) acceleration[d] += drag.x[d];
       }
-      add_repulsion<Dim>(p, i, p.neighbours.of(row).near_object, scale, acceleration);
+      add_repulsion<Dim>(p, p.position_of(i), p.neighbours.of(row).near_object, scale, acceleration);
       const float* u = &p.table.velocity[row].x;
       Float4 source{};
       for (int d = 0; d < Dim; ++d) {
@@ -115,6 +116,7 @@ void PressureEquation<Dim>::relax(double time_step) {
   object_coefficient_.resize(objects);
   if (keeps_source_) source_term_.resize(unknowns());
   const double right_side = source_factor() / time_step;
+  p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       const Sums row = sums<true>(p.fluid_row(i));
@@ -137,6 +139,40 @@ void PressureEquation<Dim>::relax(double time_step) {
       if (keeps_source_) source_term_[p.fluid + k] = static_cast<float>(right_side * row.divergence);
     }
   });
+  if (is_closed()) remove_mean_pressure();
+}
+
+template <int Dim>
+bool PressureEquation<Dim>::is_closed() const {
+  if (particles_.scene.scheme.clamp_pressure) return false;
+  const float* first = coefficient_.data();
+  return std::find(first, first + particles_.fluid, 0.0F) == first + particles_.fluid;
+}
+
+/// In a closed domain the pressure is known up to a constant: that of mean zero over the fluid.
+template <int Dim>
+void PressureEquation<Dim>::remove_mean_pressure() {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < particles_.fluid; ++i) sum += particles_.carried[i];
+  const auto mean = static_cast<float>(sum / particles_.fluid);
+  for (std::size_t i = 0; i < particles_.fluid; ++i) particles_.carried[i] -= mean;
+  for (std::size_t k = 0; k < particles_.objects(); ++k) {
+    if (object_coefficient_[k] != 0.0F) object_pressure_[k] -= mean;
+  }
+}
+
+/// And it has a solution only if the sources add up to zero.
+template <int Dim>
+void PressureEquation<Dim>::remove_mean_source() {
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < unknowns(); ++k) {
+    if (coefficient_of(k) == 0.0F) continue;
+    const double weight = particles_.table.source[unknown_row(k)].w;
+    sum += weight * source_term_[k];
+    weights += weight;
+  }
+  for (std::size_t k = 0; k < unknowns(); ++k) source_term_[k] -= static_cast<float>(sum / weights);
 }
 
 /// -sum A_ij P_j rho0 h^2 / (2 alpha) with the pressures of the table.
@@ -158,6 +194,7 @@ double PressureEquation<Dim>::coefficient_pressure_sum(std::uint32_t row) const 
 template <int Dim>
 void PressureEquation<Dim>::sweep_again() {
   publish(false);
+  particles_.count_pass();
   const bool clamp = particles_.scene.scheme.clamp_pressure;
   particles_.pool.run_blocks(unknowns(), kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t k = first; k < last; ++k) {
@@ -189,6 +226,8 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
       }
     });
   };
+  const bool closed = is_closed();
+  if (closed) remove_mean_source();
   // Sums block by block, so that they do not depend on the number of threads.
   const auto sum = [&](const auto& term) {
     block_sums_.assign((count + kBlock - 1) / kBlock, 0.0);
@@ -209,6 +248,7 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
   };
 
   publish(false);
+  p.count_pass();
   each([&](std::size_t k) {
     diagonal_[k] = weight(k) * coefficient_of(k);
     pressure_[k] = pressure_of(k);
@@ -228,6 +268,7 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
       }
     });
     p.mirror_pressure();
+    p.count_pass();
     each([&](std::size_t k) { product_[k] = diagonal_[k] * direction_[k] - weighted_sum(k); });
     const double curvature = sum([&](std::size_t k) { return direction_[k] * product_[k]; });
     if (!(curvature > 0.0)) break;
@@ -245,6 +286,7 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
     pressure_of(k) =
         static_cast<float>(p.scene.scheme.clamp_pressure ? std::max(0.0, pressure_[k]) : pressure_[k]);
   });
+  if (closed) remove_mean_pressure();
   return iteration;
 }
 

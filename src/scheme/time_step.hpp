@@ -14,15 +14,19 @@ inline double artificial_kinematic_viscosity(const Scene& scene) {
   return scene.artificial_viscosity * scene.smoothing_length() * sound_speed / (2.0 * (scene.dimension + 2));
 }
 
-/// Largest admissible time step, s: phi dx / Umax with the larger of the reference speed and the present one,
-/// and the viscous limit 0.5 h^2 / nu (thesis (3.46)); or the fixed step of the scene.
+/// Viscous limit of the time step (thesis (3.46)), s.
+inline double viscous_time_step(double smoothing_length, double viscosity) {
+  return 0.5 * smoothing_length * smoothing_length / viscosity;
+}
+
+/// Largest admissible time step of the incompressible schemes, s: phi dx / Umax with the larger of the
+/// reference speed and the present one, and the viscous limit; or the fixed step of the scene.
 inline double admissible_time_step(const Scene& scene, double speed_max) {
   if (scene.scheme.time_step_mode == TimeStepMode::Fixed) return scene.scheme.time_step;
-  const double speed = std::max(scene.reference_speed(), speed_max);
+  const double speed = std::max(scene.expected_speed(), speed_max);
   double step = scene.scheme.phi * scene.particle_spacing / speed;
   const double viscosity = scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
-  const double h = scene.smoothing_length();
-  if (viscosity > 0.0) step = std::min(step, 0.5 * h * h / viscosity);
+  if (viscosity > 0.0) step = std::min(step, viscous_time_step(scene.smoothing_length(), viscosity));
   return step;
 }
 
@@ -31,7 +35,7 @@ inline double admissible_time_step(const Scene& scene, double speed_max) {
 inline double volume_correction_factor(const Scene& scene, double time_step, double speed_max) {
   if (scene.scheme.volume_correction) return *scene.scheme.volume_correction;
   if (scene.scheme.stepping == Stepping::Thesis) return 0.1;
-  const double speed = std::max(scene.reference_speed(), speed_max);
+  const double speed = std::max(scene.expected_speed(), speed_max);
   return std::min(1.0, 3.0 * time_step * speed / scene.particle_spacing);
 }
 

@@ -29,6 +29,7 @@ void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& tab
   pages_taken_ = 0;
   for (Worker& worker : workers_) {
     worker.used = 0;
+    worker.listed = 0;
     worker.page_size = 0;
   }
   entries_.resize(table.first_image);
@@ -153,6 +154,14 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
                     static_cast<std::uint64_t>(worker.used / kPackWidth) << kOffsetShift | (wet ? kWet : 0) |
                     (near_object ? kNearObject : 0) | packs;
   worker.used += packs * kPackWidth;
+  worker.listed += packs * kPackWidth;
+}
+
+template <int Dim>
+std::uint64_t NeighbourList<Dim>::total() const {
+  std::uint64_t sum = 0;
+  for (const Worker& worker : workers_) sum += worker.listed;
+  return sum;
 }
 
 template <int Dim>

@@ -42,6 +42,8 @@ class NeighbourList {
   /// Whether object particle `index` has fluid within its support.
   [[nodiscard]] bool is_wet(std::uint32_t index) const { return (entries_[index] & kWet) != 0; }
 
+  /// Indices in all lists, the fillings of their last packs included.
+  [[nodiscard]] std::uint64_t total() const;
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -61,7 +63,8 @@ class NeighbourList {
     std::uint32_t* page = nullptr;
     std::size_t page_index = 0;
     std::size_t page_size = 0;
-    std::size_t used = 0;  ///< of the page
+    std::size_t used = 0;      ///< of the page
+    std::uint64_t listed = 0;  ///< indices in its lists
     AlignedBuffer<float> x, y, z;
     AlignedBuffer<std::uint32_t> index;
     std::size_t candidates = 0;

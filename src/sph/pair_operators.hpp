@@ -134,6 +134,17 @@ struct ScalarGradientSum {
   }
 };
 
+/// Gradient of the number density, sum V_j grad W_ij, without alpha/h.
+template <int Dim, class Real>
+struct ConcentrationGradientSum {
+  Vector<Dim, Real> value = zero_vector<Dim, Real>();
+
+  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
+    const Real scale = volume_j * pair.gradient;
+    for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
+  }
+};
+
 /// First moments of the gradient, sum V_j (x_j - x_i) (x) grad W_ij, without alpha: the matrix whose inverse
 /// makes the difference form exact for linear fields. Symmetric; entries xx, yy, (zz,) xy, (xz, yz).
 template <int Dim, class Real>
