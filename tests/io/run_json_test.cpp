@@ -38,11 +38,12 @@ TEST(RunJson, HasTheFieldsOfTheSummaryAndTheCircumstancesAtItsTopLevel) {
       UnorderedElementsAre(
           "scene", "scheme", "status", "message", "dimension", "fluid_particles", "object_particles",
           "ghost_particles_max", "threads", "steps", "simulated_time", "time_step_mean", "wall_time_loop",
-          "wall_time_initial_pressure", "particle_steps_per_second", "cpu_time_total",
-          "stage_ns_per_particle_step", "state_bytes_per_particle", "state_bytes_by_array", "peak_rss_bytes",
-          "penetrations", "lost_particles", "outflow_particles", "outflow_volume", "compression_max",
-          "compression_p95", "energy_initial", "energy_final", "energy_gain_max", "mass_error",
-          "frames_written", "frames_dropped", "version", "build", "host", "started", "finished"));
+          "wall_time_initial_pressure", "particle_steps_per_second", "pair_evaluations",
+          "pressure_iterations_mean", "cpu_time_total", "stage_ns_per_particle_step",
+          "state_bytes_per_particle", "state_bytes_by_array", "peak_rss_bytes", "penetrations",
+          "lost_particles", "outflow_particles", "outflow_volume", "compression_max", "compression_p95",
+          "energy_initial", "energy_final", "energy_gain_max", "mass_error", "frames_written",
+          "frames_dropped", "version", "build", "host", "started", "finished"));
 }
 
 TEST(RunJson, GivesEachFieldItsOwnValue) {

@@ -354,6 +354,8 @@ constexpr ShippedScene kShippedScenes[] = {
     {"lobovsky_h300", 7200},
     {"sloshing", 12000},
     {"still_water", 3000},
+    {"taylor_green", 10000},
+    {"square_patch", 10000},
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedSceneTest, testing::ValuesIn(kShippedScenes),
                          [](const auto& shipped) { return shipped.param.name; });

@@ -19,7 +19,7 @@ INSTANTIATE_TEST_SUITE_P(All, SlowSchemes, testing::ValuesIn(kMethods), case_nam
 TEST_P(Schemes, KeepWaterAtRest) {
   const Scene scene = with_method(still_water_2d(), GetParam());
   const auto simulation = start(scene);
-  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.15), 0.02) << "at the start";
+  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.15), 0.03) << "at the start, with 15 layers";
   run_until(*simulation, 0.5);
   const auto snapshot = simulation->snapshot();
   ASSERT_TRUE(is_finite(*snapshot));
@@ -31,14 +31,14 @@ TEST_P(Schemes, KeepWaterAtRest) {
 }
 
 TEST_P(Schemes, CarryTheFrontOfACollapsingColumnAsFar) {
-  // EISPH with small steps is at 0.402 m.
+  // EISPH with the stepping and the small steps of the thesis: 0.3834 m.
   const auto simulation = start(with_method(dam_break_2d(), GetParam()));
   run_until(*simulation, 0.18);
   const auto snapshot = simulation->snapshot();
   ASSERT_TRUE(is_finite(*snapshot));
   double front = 0.0;
   for (const Vec3f& position : snapshot->position) front = std::max<double>(front, position.x());
-  EXPECT_NEAR(front, 0.402, 0.012);
+  EXPECT_NEAR(front, 0.3834, 0.005);
   const RunSummary summary = simulation->summary();
   EXPECT_EQ(summary.penetrations, 0U);
   EXPECT_LT(summary.energy_gain_max, 0.002 * summary.energy_initial);
@@ -81,14 +81,14 @@ TEST_P(SlowSchemes, StopAWaveAtAnObstacle) {
 
 /// Mean velocity along x of the lowest layer, in the middle of a slab of fluid that slides along.
 double sliding_speed(const Method& method, double slip_factor) {
-  Scene scene = tank(2, Vec3d(0.8, 0.0, 0.2), 0.02, box(Vec3d::Zero(), Vec3d(0.8, 0.0, 0.2)));
+  Scene scene = tank(2, Vec3d(0.8, 0.0, 0.2), 0.01, box(Vec3d::Zero(), Vec3d(0.8, 0.0, 0.2)));
   scene.gravity.setZero();
   scene.fluid[0].velocity = Vec3d(1.0, 0.0, 0.0);
   scene.faces[kXMin] = {FaceKind::Open, 1.0};
   scene.faces[kXMax] = {FaceKind::Open, 1.0};
   scene.faces[kZMin].slip_factor = slip_factor;
   scene.faces[kZMax].slip_factor = slip_factor;
-  scene.kinematic_viscosity = 1e-3;
+  scene.kinematic_viscosity = 4e-3;
   scene.artificial_viscosity = 0.0;
   const auto simulation = start(with_method(scene, method));
   run_until(*simulation, 0.05);
@@ -97,7 +97,7 @@ double sliding_speed(const Method& method, double slip_factor) {
   const auto snapshot = simulation->snapshot();
   for (std::size_t k = 0; k < snapshot->size(); ++k) {
     const Vec3f& at = snapshot->position[k];
-    if (at.z() > 0.02F || std::abs(at.x() - 0.4F) > 0.15F) continue;
+    if (at.z() > 0.01F || std::abs(at.x() - 0.4F) > 0.15F) continue;
     sum += snapshot->velocity[k].x();
     ++count;
   }
@@ -106,8 +106,8 @@ double sliding_speed(const Method& method, double slip_factor) {
 
 TEST_P(Schemes, HoldTheFluidOnNoSlipWallsOnly) {
   EXPECT_NEAR(sliding_speed(GetParam(), 1.0), 1.0, 0.01);
-  // Stokes's first problem: u = erf(z / sqrt(4 nu t)) is 0.68 at z = 0.01 m.
-  EXPECT_NEAR(sliding_speed(GetParam(), 0.0), 0.68, 0.08);
+  // Stokes's first problem: u = erf(z / sqrt(4 nu t)) is 0.198 at z = 0.005 m.
+  EXPECT_NEAR(sliding_speed(GetParam(), 0.0), 0.198, 0.05);
 }
 
 /// Decay rate of the kinetic energy of Taylor-Green vortices at Re = 100 over 1 s, over 16 pi^2 nu.
