@@ -27,6 +27,7 @@ struct CommandLine {
   CheckOptions check;
   RenderOptions render;
   ValidateOptions validate;
+  ParetoOptions pareto;
   CompareOptions compare;
   PhotographOptions photograph;
   bool schema = false;
@@ -118,6 +119,23 @@ void add_validate(CLI::App& app, CommandLine& line) {
       [&line] { line.command = [&line] { return validate_command(line.validate, std::cout, std::cerr); }; });
 }
 
+void add_pareto(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("pareto", "Compare schemes and time steps by cost and error");
+  command->add_option("CASE", line.pareto.cases, "Cases; all without any")->type_name("NAME");
+  command->add_flag("--full", line.pareto.full, "Published spacings and durations: takes hours");
+  command->add_flag("--list", line.pareto.list, "List the cases");
+  command->add_option("--repeats", line.pareto.repeats, "Runs of each setting, of which the median counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command->add_option("--out", line.pareto.out, "Folder of the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--quiet", line.pareto.quiet, "Print nothing but errors");
+  command->callback(
+      [&line] { line.command = [&line] { return pareto_command(line.pareto, std::cout, std::cerr); }; });
+}
+
 void add_compare(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("compare", "Compare a run with photographs of an experiment");
   CLI::Option* file = command->add_option("COMPARISON", line.compare.comparison, "Comparison file (.toml)")
@@ -191,6 +209,7 @@ int run_program(int argc, const char* const* argv) {
     add_check(app, line);
     add_render(app, line);
     add_validate(app, line);
+    add_pareto(app, line);
     add_compare(app, line);
     add_photograph(app, line);
     if (const auto code = parse(app, argc, argv)) return *code;

@@ -61,6 +61,19 @@ struct ValidateOptions {
 /// exit code: kLimitsMissed if a limit does not hold.
 [[nodiscard]] int validate_command(const ValidateOptions& options, std::ostream& out, std::ostream& progress);
 
+struct ParetoOptions {
+  std::vector<std::string> cases;  ///< names; empty: all
+  bool full = false;               ///< published spacings and durations
+  bool list = false;               ///< only tell what cases there are
+  int repeats = 3;                 ///< runs of each setting
+  std::filesystem::path out = std::filesystem::path("out") / "pareto";
+  bool quiet = false;
+};
+
+/// Runs schemes, time steps and spacings on cases with known results and writes cost against error: a table
+/// and charts for each case, pareto.json and report.html.
+[[nodiscard]] int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream& progress);
+
 struct CompareOptions {
   std::filesystem::path comparison;
   std::vector<std::string> overrides;

@@ -21,6 +21,7 @@ struct RunSummary {
   double simulated_time = 0.0;              ///< s
   double time_step_mean = 0.0;              ///< s
   double wall_time_loop = 0.0;              ///< s, time loop alone
+  double cpu_time_loop = 0.0;               ///< s, of the thread that steps; 0 of shallow water
   double wall_time_initial_pressure = 0.0;  ///< s
   double particle_steps_per_second = 0.0;   ///< fluid particles x steps / wall_time_loop
   double pair_evaluations = 0.0;  ///< neighbour-list entries read, padding included, over the whole run

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 Json summary_json(const RunSummary& summary) {
   const auto& [scene, scheme, status, message, dimension, fluid_particles, object_particles,
                ghost_particles_max, threads, steps, simulated_time, time_step_mean, wall_time_loop,
-               wall_time_initial_pressure, particle_steps_per_second, pair_evaluations,
+               cpu_time_loop, wall_time_initial_pressure, particle_steps_per_second, pair_evaluations,
                pressure_iterations_mean, cpu_time_total, stage_ns_per_particle_step, state_bytes_per_particle,
                state_bytes_by_array, peak_rss_bytes, penetrations, lost_particles, outflow_particles,
                outflow_volume, compression_max, compression_p95, energy_initial, energy_final,
@@ -36,6 +36,7 @@ Json summary_json(const RunSummary& summary) {
   EISPH_PUT(simulated_time);
   EISPH_PUT(time_step_mean);
   EISPH_PUT(wall_time_loop);
+  EISPH_PUT(cpu_time_loop);
   EISPH_PUT(wall_time_initial_pressure);
   EISPH_PUT(particle_steps_per_second);
   EISPH_PUT(pair_evaluations);

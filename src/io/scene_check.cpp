@@ -179,7 +179,7 @@ std::string solid_path(const Scene& scene, const TomlSource& source, std::size_t
 }
 
 void check_settings(const Scene& scene, const TomlSource& source) {
-  if (scene.expected_speed() == 0.0) {
+  if (scene.gravity.norm() == 0.0 && scene.expected_speed() == 0.0) {
     source.fail("gravity",
                 "nothing moves; expected an acceleration that is not zero, for example [0.0, 0.0, -9.81] "
                 "(2D: [0.0, -9.81]), or an initial velocity");

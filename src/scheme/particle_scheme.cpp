@@ -27,6 +27,7 @@ void ParticleScheme<Dim>::initialise() {
 template <int Dim>
 void ParticleScheme<Dim>::step(double until) {
   const double before = clock_.total();
+  const double cpu_before = thread_cpu_time();
   const double remaining = until - time_;
   const double parts = std::max(1.0, std::ceil(remaining / admissible_time_step() * (1.0 - 1e-12)));
   StepInHand step;
@@ -50,6 +51,7 @@ void ParticleScheme<Dim>::step(double until) {
   time_step_ = step.time_step;
   ++steps_;
   wall_time_loop_ += clock_.total() - before;
+  cpu_time_loop_ += thread_cpu_time() - cpu_before;
 }
 
 template <int Dim>
@@ -152,6 +154,7 @@ RunSummary ParticleScheme<Dim>::summary() const {
   const auto steps = static_cast<double>(std::max<std::uint64_t>(steps_, 1));
   summary.time_step_mean = time_ / steps;
   summary.wall_time_loop = wall_time_loop_;
+  summary.cpu_time_loop = cpu_time_loop_;
   summary.wall_time_initial_pressure = wall_time_initial_pressure_;
   const double particle_steps = static_cast<double>(p.initial_fluid) * static_cast<double>(steps_);
   summary.particle_steps_per_second = wall_time_loop_ > 0.0 ? particle_steps / wall_time_loop_ : 0.0;

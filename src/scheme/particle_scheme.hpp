@@ -63,6 +63,7 @@ class ParticleScheme : public Simulation {
   double time_step_ = 0.0;
   std::uint64_t steps_ = 0;
   double wall_time_loop_ = 0.0;
+  double cpu_time_loop_ = 0.0;
   double wall_time_initial_pressure_ = 0.0;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <string_view>
 
 namespace eisph {
@@ -22,6 +23,13 @@ enum class Stage : std::size_t {
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Count);
 inline constexpr std::array<std::string_view, kStages> kStageNames = {
     "sort", "boundaries", "neighbour_search", "acceleration", "pressure", "gradient", "diagnostics"};
+
+/// CPU time of the calling thread so far, s.
+inline double thread_cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// Wall-clock time spent in each stage, s.
 class StageClock {

@@ -55,7 +55,7 @@ TEST(ShallowWaterScene, NamesWhatItCannotUse) {
               HasSubstr("needs a floor"));
   EXPECT_THAT(loader.error(kSceneText, {kShallow, "shallow_water.courant=1.5"}),
               HasSubstr("expected a number above 0 and at most 1"));
-  EXPECT_THAT(loader.error(kSceneText, {"scheme.name=swe"}), HasSubstr("\"eisph\", \"shallow_water\""));
+  EXPECT_THAT(loader.error(kSceneText, {"scheme.name=swe"}), HasSubstr("\"isph\", \"shallow_water\""));
 }
 
 TEST(ShallowWaterScene, HoldsTheCellsAgainstTheMemory) {
