@@ -28,6 +28,7 @@ struct CommandLine {
   RenderOptions render;
   ValidateOptions validate;
   ParetoOptions pareto;
+  StabilityOptions stability;
   CompareOptions compare;
   PhotographOptions photograph;
   bool schema = false;
@@ -136,6 +137,21 @@ void add_pareto(CLI::App& app, CommandLine& line) {
       [&line] { line.command = [&line] { return pareto_command(line.pareto, std::cout, std::cerr); }; });
 }
 
+void add_stability(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("stability", "Find where the schemes are stable on hard cases");
+  command->add_option("CASE", line.stability.cases, "Cases; all without any")->type_name("NAME");
+  command->add_flag("--full", line.stability.full,
+                    "More time steps, two spacings and longer runs: takes hours");
+  command->add_flag("--list", line.stability.list, "List the cases");
+  command->add_option("--out", line.stability.out, "Folder of the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_threads(*command, line.stability.threads);
+  command->add_flag("--quiet", line.stability.quiet, "Print nothing but errors");
+  command->callback(
+      [&line] { line.command = [&line] { return stability_command(line.stability, std::cout); }; });
+}
+
 void add_compare(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("compare", "Compare a run with photographs of an experiment");
   CLI::Option* file = command->add_option("COMPARISON", line.compare.comparison, "Comparison file (.toml)")
@@ -210,6 +226,7 @@ int run_program(int argc, const char* const* argv) {
     add_render(app, line);
     add_validate(app, line);
     add_pareto(app, line);
+    add_stability(app, line);
     add_compare(app, line);
     add_photograph(app, line);
     if (const auto code = parse(app, argc, argv)) return *code;

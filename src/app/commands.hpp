@@ -74,6 +74,19 @@ struct ParetoOptions {
 /// and charts for each case, pareto.json and report.html.
 [[nodiscard]] int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream& progress);
 
+struct StabilityOptions {
+  std::vector<std::string> cases;  ///< names; empty: all
+  bool full = false;               ///< five time steps and two spacings instead of two and one, longer runs
+  bool list = false;               ///< only tell what cases there are
+  std::filesystem::path out = std::filesystem::path("out") / "stability";
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// Runs every scheme on hard cases over time step and spacing and tells where it is stable, degraded or blown
+/// up: atlas.csv, atlas.json, coloured maps and report.html.
+[[nodiscard]] int stability_command(const StabilityOptions& options, std::ostream& out);
+
 struct CompareOptions {
   std::filesystem::path comparison;
   std::vector<std::string> overrides;

@@ -14,6 +14,7 @@ namespace {
 constexpr double kLeastThickness = 1.5;
 /// phi above which walls alone, and walls with objects, no longer hold for certain.
 constexpr double kLargestPhi = 0.25;
+constexpr double kLargestThesisPhi = 0.06;
 constexpr double kLargestPhiWithObjects = 0.17;
 /// Largest relative difference between the volume of the particles and that of the regions.
 constexpr double kVolumeTolerance = 0.01;
@@ -42,21 +43,58 @@ void warn_of_thin_solid(std::vector<std::string>& warnings, const Scene& scene, 
                   sort, name, thin, least));
 }
 
+/// The largest time steps that the hard cases of `eisph stability` bear, beyond which only gentle flows do.
+double largest_phi(const Scene& scene) {
+  return scene.scheme.stepping == Stepping::Thesis ? kLargestThesisPhi : kLargestPhi;
+}
+
+double largest_courant(Stepping stepping) {
+  switch (stepping) {
+    case Stepping::RungeKutta:
+      return 1.5;
+    case Stepping::PredictorCorrector:
+      return 0.4;
+    case Stepping::Symplectic:
+    case Stepping::Thesis:
+      break;
+  }
+  return 0.3;
+}
+
+void warn_of_courant(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
+  const double speeds = scene.scheme.sound_speed + scene.expected_speed();
+  const double courant = plan.time_step * speeds / scene.smoothing_length();
+  const double most = largest_courant(scene.scheme.stepping);
+  if (courant <= most * (1.0 + 1e-6)) return;
+  warnings.push_back(
+      fmt::format("the Courant number dt (c0 + Umax) / h is {:.3g} at t = 0, above {:g}: the run may blow up",
+                  courant, most));
+}
+
+/// Negative pressure pulls the particles of a free surface into clumps.
+void warn_of_negative_pressure(std::vector<std::string>& warnings, const Scene& scene) {
+  if (scene.scheme.clamp_pressure || scene.scheme.free_surface_threshold <= 0.0) return;
+  warnings.emplace_back(
+      "scheme.clamp_pressure = false lets pressure become negative: with a free surface particles clump and "
+      "the "
+      "run may blow up");
+}
+
 void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
   const double phi = plan.time_step * scene.expected_speed() / scene.particle_spacing;
   const double slack = 1.0 + 1e-6;
   const bool objects = plan.object_particles > 0;
-  if (phi > kLargestPhi * slack) {
-    warnings.push_back(
-        fmt::format("phi = dt Umax / dx is {:.3g} at t = 0, above 0.25: water may pass through walls", phi));
+  if (phi > largest_phi(scene) * slack) {
+    warnings.push_back(fmt::format(
+        "phi = dt Umax / dx is {:.3g} at t = 0, above {:g}: water may pass through walls and the run blow up",
+        phi, largest_phi(scene)));
   } else if (objects && phi > kLargestPhiWithObjects * slack) {
     warnings.push_back(
         fmt::format("phi = dt Umax / dx is {:.3g} at t = 0, above 0.17 in a scene with objects: water "
                     "may pass through them",
                     phi));
   }
-  const bool incompressible = scene.scheme.name == "eisph" || scene.scheme.name == "isph";
-  if (!incompressible || scene.scheme.time_step_mode != TimeStepMode::Adaptive) return;
+  if (scene.scheme.time_step_mode != TimeStepMode::Adaptive) return;
   Scene inviscid = scene;
   inviscid.kinematic_viscosity = 0.0;
   inviscid.artificial_viscosity = 0.0;
@@ -116,7 +154,12 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
     warn_of_thin_solid(warnings, scene, "obstacle", obstacle.name, obstacle.shape);
   }
   for (const Gate& gate : scene.gates) warn_of_thin_solid(warnings, scene, "gate", gate.name, gate.shape);
-  warn_of_time_step(warnings, scene, plan);
+  if (scene.scheme.name == "eisph" || scene.scheme.name == "isph") {
+    warn_of_time_step(warnings, scene, plan);
+  } else {
+    warn_of_courant(warnings, scene, plan);
+  }
+  warn_of_negative_pressure(warnings, scene);
 
   const double filled =
       static_cast<double>(plan.fluid_particles) * std::pow(scene.particle_spacing, scene.dimension);

@@ -19,7 +19,7 @@ KeyTable<Scene> particle_keys() {
   keys.number("smoothing_ratio", "", &Scene::smoothing_ratio, between(1.0, 2.0),
               "Smoothing length over particle spacing, h / dx; the kernel reaches 2 h.");
   keys.choice<std::string>("kernel", &Scene::kernel, {{"cubic_spline", "cubic_spline"}}, "Smoothing kernel.");
-  keys.number("jitter", "dx", &Scene::jitter, between(0.0, 0.25),
+  keys.number("jitter", "dx", &Scene::jitter, between(0.0, 0.5),
               "Largest random displacement of a particle at the start, per component.");
   keys.integer("jitter_seed", "", &Scene::jitter_seed, between(0.0, 4294967295.0),
                "Seed of the displacements: the same seed gives the same run.");
