@@ -180,6 +180,10 @@ KeyTable<SchemeSettings> scheme_keys() {
       "shifting", "", &SchemeSettings::shifting, between(0.0, 10.0),
       "Coefficient A of a shift of the particles by -A h |u| dt times the gradient of the number density, "
       "away from the free surface; evens out flows that stretch the particles along lines. 0: none.");
+  keys.number(
+      "list_reach", "dx", &SchemeSettings::list_reach, between(0.0, 2.0),
+      "Neighbour lists and mirror images are kept until the fastest particle can have gone this far; what "
+      "comes into reach meanwhile is missed, where the kernel is nearly zero. 0: made anew in every step.");
   keys.number("sound_speed", "m/s", &SchemeSettings::sound_speed, at_least(0.0),
               "Speed of sound c0 of wcsph and delta_sph.")
       .fallback("10 Umax, Umax the larger of sqrt(2 g H) and the initial speed");

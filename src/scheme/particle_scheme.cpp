@@ -43,6 +43,7 @@ void ParticleScheme<Dim>::step(double until) {
     }
   }
   take_step(step);
+  way_since_search_ += step.time_step * particles_.speed_max;
   clock_.start(Stage::Diagnostics);
   motion_.record_compression(particles_);
   clock_.stop();
@@ -57,6 +58,13 @@ void ParticleScheme<Dim>::step(double until) {
 template <int Dim>
 void ParticleScheme<Dim>::find_neighbourhood(const StepInHand& step) {
   clock_.start(Stage::Sort);
+  const Scene& scene = particles_.scene;
+  const double reach = scene.scheme.list_reach * scene.particle_spacing;
+  if (steps_ > 0 && way_since_search_ < reach && particles_.solids_stand_still(step.time)) {
+    particles_.refresh_fluid();
+    return;
+  }
+  way_since_search_ = 0.0;
   particles_.sort_fluid();
   clock_.start(Stage::Boundaries);
   particles_.place_boundaries(step.time);

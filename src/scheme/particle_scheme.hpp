@@ -62,6 +62,7 @@ class ParticleScheme : public Simulation {
   double time_ = 0.0;
   double time_step_ = 0.0;
   std::uint64_t steps_ = 0;
+  double way_since_search_ = 0.0;  ///< of the fastest particle since the neighbour lists were made, m
   double wall_time_loop_ = 0.0;
   double cpu_time_loop_ = 0.0;
   double wall_time_initial_pressure_ = 0.0;

@@ -134,6 +134,29 @@ void ParticleSystem<Dim>::sort_fluid() {
 }
 
 template <int Dim>
+void ParticleSystem<Dim>::refresh_fluid() {
+  const double to_units = 1.0 / h;
+  Float4* rows = fluid_rows(table.position);
+  Float4* velocities = fluid_rows(table.velocity);
+  pool.run_blocks(fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; ++i) {
+      for (int d = 0; d < Dim; ++d) {
+        (&rows[i].x)[d] = static_cast<float>(position[d][i] * to_units);
+        (&velocities[i].x)[d] = velocity[d][i];
+      }
+      rows[i].w = carried[i];
+    }
+  });
+  mirror_motion();
+}
+
+template <int Dim>
+bool ParticleSystem<Dim>::solids_stand_still(double time) const {
+  return std::all_of(scene.gates.begin(), scene.gates.end(),
+                     [&](const Gate& gate) { return gate.lift(time) == gate.lift(placed_at_); });
+}
+
+template <int Dim>
 void ParticleSystem<Dim>::fill_objects() {
   const std::size_t count = solids.size();
   const bool viscous = scene.boundary.object_no_slip;
@@ -159,6 +182,7 @@ void ParticleSystem<Dim>::fill_objects() {
 
 template <int Dim>
 void ParticleSystem<Dim>::place_boundaries(double time) {
+  placed_at_ = time;
   const bool first_time = object_rows_[0].size() != solids.size();
   if (!solids.empty() && (solids.update(time) || first_time)) {
     // The fluid's place in the table follows from the number of objects; keep its rows across the change.

@@ -29,6 +29,10 @@ struct ParticleSystem {
   /// Sorts the fluid by cell, takes out what has left through open faces, and fills its rows of the table:
   /// positions with the carried scalar, velocities with the volume.
   void sort_fluid();
+  /// The fluid's rows and those of its images anew, with the lists and the images of the last search.
+  void refresh_fluid();
+  /// Whether all solids stand at `time` (s) where they stood when boundaries were last placed.
+  [[nodiscard]] bool solids_stand_still(double time) const;
   /// The solids as they stand at `time` (s), and the mirror images of fluid and solids.
   void place_boundaries(double time);
   void find_neighbours();
@@ -117,6 +121,7 @@ struct ParticleSystem {
   void fill_objects();
   void set_object_sources();
 
+  double placed_at_ = 0.0;              ///< s, time of the boundaries
   std::vector<Float4> object_rows_[2];  ///< positions and velocities in the order of object_sort
   AlignedBuffer<double> scratch_;
   AlignedBuffer<std::uint32_t> scratch_id_;

@@ -78,6 +78,32 @@ TEST(SceneWarnings, TellOfATimeStepTooLargeForWalls) {
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 0.3 at t = 0, above 0.25")));
 }
 
+TEST(SceneWarnings, TellOfStepsAtWhichHardCasesBlewUp) {
+  Scene scene = sound_scene();
+  scene.obstacles.clear();
+  scene.gates.clear();
+  scene.scheme.stepping = Stepping::Thesis;
+  scene.scheme.phi = 0.06;
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+  scene.scheme.phi = 0.1;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 0.1 at t = 0, above 0.06")));
+  scene.scheme.name = "delta_sph";
+  scene.scheme.sound_speed = 10.0 * scene.expected_speed();
+  scene.scheme.stepping = Stepping::RungeKutta;
+  scene.scheme.courant = 1.5;
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+  scene.scheme.stepping = Stepping::Symplectic;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 1.5 at t = 0, above 0.3")));
+}
+
+TEST(SceneWarnings, TellOfNegativePressureAtAFreeSurface) {
+  Scene scene = sound_scene();
+  scene.scheme.clamp_pressure = false;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("clamp_pressure")));
+  scene.scheme.free_surface_threshold = 0.0;
+  EXPECT_THAT(warnings_of(scene), IsEmpty()) << "a closed domain";
+}
+
 TEST(SceneWarnings, TellWhenTheViscousLimitGoverns) {
   Scene scene = sound_scene();
   scene.kinematic_viscosity = 1.0;
