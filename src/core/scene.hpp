@@ -125,7 +125,7 @@ struct SchemeSettings {
   InitialPressure initial_pressure = InitialPressure::Solve;
   bool clamp_pressure = true;  ///< no negative pressure
   double shifting = 0.0;       ///< coefficient A of the particle shifting
-  double list_reach = 0.35;    ///< way of the fastest particle for which neighbour lists are kept, over dx
+  double list_reach = 0.5;     ///< way of the fastest particle for which neighbour lists are kept, over dx
 
   // Of wcsph and delta_sph.
   double sound_speed = 0.0;  ///< c0, m/s

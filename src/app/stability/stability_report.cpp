@@ -61,7 +61,7 @@ StatusMap map_of(const Atlas& atlas, const StabilityScheme& scheme) {
   for (const double spacing : atlas.spacing_factors) {
     for (const double factor : atlas.step_factors) {
       map.columns.push_back(fmt::format("{} {:.3g}{}", scheme.step_key, factor * scheme.step,
-                                        spacing == 1.0 ? "" : fmt::format("\\n{:g} dx", spacing)));
+                                        spacing == 1.0 ? "" : fmt::format(", {:g} dx", spacing)));
     }
   }
   for (const StabilityCase& row : atlas.cases) {
