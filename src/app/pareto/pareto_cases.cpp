@@ -79,6 +79,7 @@ double front_error(const ValidationRun& run, const ValidationRun* reference, dou
 
 std::vector<std::string> sensor_intervals(int sensors, double interval) {
   std::vector<std::string> overrides;
+  overrides.reserve(static_cast<std::size_t>(sensors));
   for (int k = 0; k < sensors; ++k) {
     overrides.push_back(fmt::format("pressure_sensor.{}.interval={}", k, interval));
   }

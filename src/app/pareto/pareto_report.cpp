@@ -82,7 +82,7 @@ ReportTable points_table(const ParetoResult& result) {
     const ParetoPoint& point = result.points[k];
     std::vector<std::string> row = {point.scheme, point.step, fmt::format("{:g}", point.spacing)};
     if (!point.failure.empty()) {
-      row.push_back("blown up");
+      row.emplace_back("blown up");
       row.resize(table.columns.size());
       table.rows.push_back(row);
       continue;
