@@ -64,7 +64,8 @@ void write_status_map(const std::filesystem::path& path, const StatusMap& map) {
     const double bottom = rows - 1 - r;
     script += label(place(-0.08, bottom + 0.5), map.rows[static_cast<std::size_t>(r)], "right");
     for (int c = 0; c < columns; ++c) {
-      const StatusMap::Cell& cell = map.cells[static_cast<std::size_t>(r * columns + c)];
+      const StatusMap::Cell& cell =
+          map.cells[static_cast<std::size_t>(r) * map.columns.size() + static_cast<std::size_t>(c)];
       script += rectangle(number++, place(c, bottom), place(c + 1.0, bottom + 1.0), cell.colour);
       if (!cell.text.empty()) script += label(place(c + 0.5, bottom + 0.5), cell.text, "center");
     }
