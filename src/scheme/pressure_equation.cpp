@@ -139,12 +139,11 @@ void PressureEquation<Dim>::relax(double time_step) {
       if (keeps_source_) source_term_[p.fluid + k] = static_cast<float>(right_side * row.divergence);
     }
   });
-  if (is_closed()) remove_mean_pressure();
+  if (!p.scene.scheme.clamp_pressure && is_closed()) remove_mean_pressure();
 }
 
 template <int Dim>
 bool PressureEquation<Dim>::is_closed() const {
-  if (particles_.scene.scheme.clamp_pressure) return false;
   const float* first = coefficient_.data();
   return std::find(first, first + particles_.fluid, 0.0F) == first + particles_.fluid;
 }
@@ -282,11 +281,15 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
     each([&](std::size_t k) { direction_[k] = residual_[k] / diagonal_[k] + keep * direction_[k]; });
     energy = next;
   }
+  const bool clamp = p.scene.scheme.clamp_pressure;
+  // Without a free surface the lowest pressure is the level that a clamp at zero would set.
+  const double level =
+      closed && clamp ? *std::min_element(pressure_.begin(), pressure_.begin() + p.fluid) : 0.0;
   each([&](std::size_t k) {
-    pressure_of(k) =
-        static_cast<float>(p.scene.scheme.clamp_pressure ? std::max(0.0, pressure_[k]) : pressure_[k]);
+    const double pressure = pressure_[k] - level;
+    pressure_of(k) = static_cast<float>(clamp ? std::max(0.0, pressure) : pressure);
   });
-  if (closed) remove_mean_pressure();
+  if (closed && !clamp) remove_mean_pressure();
   return iteration;
 }
 

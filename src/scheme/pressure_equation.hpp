@@ -65,7 +65,7 @@ class PressureEquation {
     return particles_.scene.density * particles_.h * particles_.h / (2.0 * particles_.alpha);
   }
 
-  /// Whether nothing holds the level of the pressure: no free surface and no pressure cut off at zero.
+  /// Whether nothing holds the level of the pressure: there is no particle on a free surface.
   [[nodiscard]] bool is_closed() const;
   void remove_mean_pressure();
   void remove_mean_source();

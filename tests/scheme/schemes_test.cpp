@@ -186,6 +186,19 @@ TEST(Schemes, IsphReportsItsIterationsAndObeysItsTolerance) {
   EXPECT_EQ(start(dam_break_2d())->summary().pressure_iterations_mean, 0.0);
 }
 
+/// Without the volume correction the top layer of still water sinks until its density is no longer that of a
+/// free surface: nothing then holds the level of the pressure, and the linear equations are singular.
+TEST(Schemes, IsphBearsTheLossOfTheFreeSurface) {
+  Scene scene = with_method(tank(2, Vec3d(1.0, 0.0, 0.5), 0.02, box(Vec3d::Zero(), Vec3d(1.0, 0.0, 0.3))),
+                            {"isph", Stepping::Symplectic});
+  scene.scheme.volume_correction = 0.0;
+  const auto simulation = start(scene);
+  run_until(*simulation, 0.3);
+  const auto snapshot = simulation->snapshot();
+  ASSERT_TRUE(is_finite(*snapshot));
+  EXPECT_LT(largest_speed(*snapshot), 2.0);
+}
+
 TEST(Schemes, CountThePairsTheyEvaluate) {
   const auto pairs = [](const Method& method) {
     const auto simulation = start(with_method(still_water_2d(), method));

@@ -172,9 +172,9 @@ const std::vector<ParetoCase>& pareto_cases() {
        .title = "Dam break against a wall",
        .scene = "buchner",
        // Records every millisecond, as in the scene, would hold the time step down.
-       .overrides = sensor_intervals(5, 0.01),
+       .overrides = sensor_intervals(5, 0.002),
        .full_spacings = {0.01, 0.008, 0.006},
-       .quick_spacings = {0.03, 0.02},
+       .quick_spacings = {0.02, 0.01},
        .full_end = 4.2,
        .quick_end = 1.6,
        .errors = {{"P1",
