@@ -1,14 +1,13 @@
 #include "app/build_info.hpp"
+#include "app/case_choice.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/pareto/pareto_study.hpp"
 #include "app/progress.hpp"
 #include "compare/plot.hpp"
-#include "core/error.hpp"
 #include "io/file_io.hpp"
 #include "io/host.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <ostream>
 
@@ -18,22 +17,6 @@
 namespace eisph {
 
 namespace {
-
-std::vector<const ParetoCase*> chosen_cases(const std::vector<std::string>& names) {
-  std::string known;
-  for (const ParetoCase& candidate : pareto_cases()) known += (known.empty() ? "" : ", ") + candidate.name;
-  for (const std::string& name : names) {
-    const bool found = std::any_of(pareto_cases().begin(), pareto_cases().end(),
-                                   [&](const ParetoCase& candidate) { return candidate.name == name; });
-    if (!found) throw InputError(fmt::format("pareto {}: no such case; expected {}", name, known));
-  }
-  std::vector<const ParetoCase*> chosen;
-  for (const ParetoCase& candidate : pareto_cases()) {
-    if (names.empty() || std::count(names.begin(), names.end(), candidate.name) > 0)
-      chosen.push_back(&candidate);
-  }
-  return chosen;
-}
 
 std::string subtitle(const ParetoOptions& options) {
   const BuildInfo build = build_info();
@@ -63,7 +46,7 @@ int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream
     return 0;
   }
   const InterruptWatcher interrupt;
-  const auto cases = chosen_cases(options.cases);
+  const auto cases = choose_cases("pareto", pareto_cases(), options.cases);
   require_gnuplot();
   create_folder(options.out);
   Validator validator({options.out, 1, options.full, options.quiet}, progress,

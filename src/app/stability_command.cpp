@@ -1,4 +1,5 @@
 #include "app/build_info.hpp"
+#include "app/case_choice.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress.hpp"
@@ -6,13 +7,11 @@
 #include "app/stability/stability_atlas.hpp"
 #include "compare/plot.hpp"
 #include "core/assets.hpp"
-#include "core/error.hpp"
 #include "io/file_io.hpp"
 #include "io/host.hpp"
 #include "io/scene_file.hpp"
 #include "scheme/simulation.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <ostream>
 
@@ -22,23 +21,6 @@
 namespace eisph {
 
 namespace {
-
-std::vector<StabilityCase> chosen_cases(const StabilityOptions& options) {
-  const std::vector<StabilityCase> all = stability_cases(options.full);
-  std::string known;
-  for (const StabilityCase& candidate : all) known += (known.empty() ? "" : ", ") + candidate.name;
-  for (const std::string& name : options.cases) {
-    const bool found = std::any_of(all.begin(), all.end(),
-                                   [&](const StabilityCase& candidate) { return candidate.name == name; });
-    if (!found) throw InputError(fmt::format("stability {}: no such case; expected {}", name, known));
-  }
-  std::vector<StabilityCase> chosen;
-  for (const StabilityCase& candidate : all) {
-    const auto named = std::count(options.cases.begin(), options.cases.end(), candidate.name);
-    if (options.cases.empty() || named > 0) chosen.push_back(candidate);
-  }
-  return chosen;
-}
 
 /// The scene of a cell, for one of the variants of its case.
 Scene scene_of(const StabilityCase& row, const StabilityScheme& scheme, const AtlasCell& cell,
@@ -90,7 +72,10 @@ int stability_command(const StabilityOptions& options, std::ostream& out) {
   const InterruptWatcher interrupt;
   const auto stop = [&interrupt] { return interrupt.requested(); };
   Atlas atlas;
-  atlas.cases = chosen_cases(options);
+  const std::vector<StabilityCase> all = stability_cases(options.full);
+  for (const StabilityCase* chosen : choose_cases("stability", all, options.cases)) {
+    atlas.cases.push_back(*chosen);
+  }
   atlas.step_factors =
       options.full ? std::vector<double>{0.5, 1.0, 1.5, 2.0, 3.0} : std::vector<double>{1.0, 2.0};
   atlas.spacing_factors = options.full ? std::vector<double>{1.0, 0.5} : std::vector<double>{1.0};

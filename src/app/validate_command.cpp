@@ -1,4 +1,5 @@
 #include "app/build_info.hpp"
+#include "app/case_choice.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress.hpp"
@@ -22,23 +23,11 @@ namespace eisph {
 
 namespace {
 
-std::string case_names() {
-  std::string names;
-  for (const ValidationCase& known : validation_cases()) names += (names.empty() ? "" : ", ") + known.name;
-  return names;
-}
-
 /// The cases asked for, in the order of the report; without any, all of the mode.
 std::vector<const ValidationCase*> chosen_cases(const ValidateOptions& options) {
-  for (const std::string& name : options.cases) {
-    const bool known = std::any_of(validation_cases().begin(), validation_cases().end(),
-                                   [&](const ValidationCase& candidate) { return candidate.name == name; });
-    if (!known) throw InputError(fmt::format("validate {}: no such case; expected {}", name, case_names()));
-  }
-  std::vector<const ValidationCase*> chosen;
-  for (const ValidationCase& candidate : validation_cases()) {
-    const bool named = std::count(options.cases.begin(), options.cases.end(), candidate.name) > 0;
-    if (named || (options.cases.empty() && (options.full || candidate.quick))) chosen.push_back(&candidate);
+  std::vector<const ValidationCase*> chosen = choose_cases("validate", validation_cases(), options.cases);
+  if (options.cases.empty() && !options.full) {
+    std::erase_if(chosen, [](const ValidationCase* candidate) { return !candidate->quick; });
   }
   return chosen;
 }

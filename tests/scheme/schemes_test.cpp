@@ -186,6 +186,25 @@ TEST(Schemes, IsphReportsItsIterationsAndObeysItsTolerance) {
   EXPECT_EQ(start(dam_break_2d())->summary().pressure_iterations_mean, 0.0);
 }
 
+TEST(Schemes, KeptNeighbourListsDoNotChangeTheFlow) {
+  const auto state = [](double reach) {
+    Scene scene = dam_break_2d();
+    scene.scheme.list_reach = reach;
+    const auto simulation = start(scene);
+    run_until(*simulation, 0.15);
+    return std::pair(simulation->snapshot(), simulation->summary());
+  };
+  const auto [fresh, fresh_summary] = state(0.0);
+  const auto [kept, kept_summary] = state(0.5);
+  double squared = 0.0;
+  for (std::size_t k = 0; k < fresh->size(); ++k) {
+    squared += (fresh->position[k] - kept->position[k]).squaredNorm();
+  }
+  EXPECT_GT(squared, 0.0) << "lists were kept";
+  EXPECT_LT(std::sqrt(squared / static_cast<double>(fresh->size())), 0.02 * 0.01) << "2 % of the spacing";
+  EXPECT_NEAR(kept_summary.compression_max, fresh_summary.compression_max, 0.005);
+}
+
 /// Without the volume correction the top layer of still water sinks until its density is no longer that of a
 /// free surface: nothing then holds the level of the pressure, and the linear equations are singular.
 TEST(Schemes, IsphBearsTheLossOfTheFreeSurface) {

@@ -38,7 +38,7 @@ std::string short_reason(const StabilityOutcome& outcome) {
   return "";
 }
 
-/// Times in brackets and commas are for readers: a field of a CSV file has quotes around it.
+/// A text as a field of a CSV file, whatever commas it has.
 std::string quoted(std::string text) {
   std::replace(text.begin(), text.end(), '"', '\'');
   return '"' + text + '"';
