@@ -17,13 +17,19 @@ TEST_P(StillWaterOf, StaysStillAndHydrostatic) {
   Scene scene = still_water_2d(depth);
   if (GetParam().stepping == Stepping::Thesis) use_thesis_stepping(scene);
   const auto simulation = start(scene);
-  run_until(*simulation, 2.5);
+  // Mean over half a second: that of one instant differs by a tenth from build to build.
+  double error = 0.0;
+  constexpr int kInstants = 6;
+  for (int k = 0; k < kInstants; ++k) {
+    run_until(*simulation, 2.0 + 0.1 * k);
+    error += hydrostatic_error(*simulation->snapshot(), depth) / kInstants;
+  }
   const auto snapshot = simulation->snapshot();
   ASSERT_TRUE(is_finite(*snapshot));
   // The error is a quarter to a third of a spacing of water, most of it at the surface, where pressure starts
   // from zero at particles instead of half a spacing above them: 1.5 % of 0.3 m is 0.45 dx, 1.5 % of 0.15 m
   // would be 0.22 dx.
-  EXPECT_LT(hydrostatic_error(*snapshot, depth), depth > 0.2 ? 0.015 : 0.025);
+  EXPECT_LT(error, depth > 0.2 ? 0.015 : 0.025);
   // The wall columns rearrange during the first second and come to rest after it. The root mean square is
   // 3 to 5 mm/s by now; which single particle is the fastest differs from build to build.
   double squares = 0.0;
@@ -36,7 +42,7 @@ TEST_P(StillWaterOf, StaysStillAndHydrostatic) {
   EXPECT_EQ(summary.mass_error, 0.0);
   EXPECT_EQ(snapshot->size(), static_cast<std::size_t>(std::lround(30.0 * depth / 0.01)));
   EXPECT_NEAR(summary.energy_final / summary.energy_initial, 1.0, 0.005);
-  RecordProperty("hydrostatic_error", std::to_string(hydrostatic_error(*snapshot, depth)));
+  RecordProperty("hydrostatic_error", std::to_string(error));
   RecordProperty("largest_speed", std::to_string(largest_speed(*snapshot)));
 }
 
