@@ -67,6 +67,21 @@ void write_chart(const std::filesystem::path& path, const ParetoResult& result, 
   write_plot(path, plot, {1000, 700});
 }
 
+/// The Pareto front by CPU time of each error of a case.
+using Fronts = std::vector<std::vector<std::size_t>>;
+Fronts fronts_of(const ParetoResult& result) {
+  Fronts fronts;
+  fronts.reserve(result.chosen->errors.size());
+  for (std::size_t e = 0; e < result.chosen->errors.size(); ++e) {
+    fronts.push_back(pareto_front(result.costs(e, false)));
+  }
+  return fronts;
+}
+
+bool is_on(const std::vector<std::size_t>& front, std::size_t point) {
+  return std::find(front.begin(), front.end(), point) != front.end();
+}
+
 /// All points of a case.
 ReportTable points_table(const ParetoResult& result) {
   ReportTable table{.caption = fmt::format("{} to {:g} s", result.chosen->title, result.end),
@@ -75,9 +90,7 @@ ReportTable points_table(const ParetoResult& result) {
                                 "memory [MB]", "largest compression [%]", "energy gain [%]"},
                     .rows = {}};
   for (const ParetoError& error : result.chosen->errors) table.columns.push_back(error.name + " [%]");
-  std::vector<std::vector<std::size_t>> fronts;
-  for (std::size_t e = 0; e < result.chosen->errors.size(); ++e)
-    fronts.push_back(pareto_front(result.costs(e, false)));
+  const Fronts fronts = fronts_of(result);
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     const ParetoPoint& point = result.points[k];
     std::vector<std::string> row = {point.scheme, point.step, fmt::format("{:g}", point.spacing)};
@@ -95,8 +108,7 @@ ReportTable points_table(const ParetoResult& result) {
          fmt::format("{:.3g}", point.pair_evaluations), fmt::format("{:.1f}", 1e-6 * point.state_memory),
          fmt::format("{:.1f}", 100.0 * point.compression), fmt::format("{:.2g}", 100.0 * point.energy_gain)});
     for (std::size_t e = 0; e < point.errors.size(); ++e) {
-      const bool on_front = std::count(fronts[e].begin(), fronts[e].end(), k) > 0;
-      row.push_back(fmt::format("{:.2f}{}", point.errors[e], on_front ? " (front)" : ""));
+      row.push_back(fmt::format("{:.2f}{}", point.errors[e], is_on(fronts[e], k) ? " (front)" : ""));
     }
     table.rows.push_back(row);
   }
@@ -148,7 +160,7 @@ PageSection section_of(const std::filesystem::path& folder, const ParetoResult& 
   return section;
 }
 
-Json point_json(const ParetoResult& result, std::size_t k) {
+Json point_json(const ParetoResult& result, const Fronts& fronts, std::size_t k) {
   const ParetoPoint& point = result.points[k];
   Json json = {{"scheme", point.scheme},
                {"step", point.step},
@@ -165,10 +177,9 @@ Json point_json(const ParetoResult& result, std::size_t k) {
                {"failure", point.failure}};
   Json errors = Json::object();
   for (std::size_t e = 0; e < result.chosen->errors.size(); ++e) {
-    const auto front = pareto_front(result.costs(e, false));
     const bool has = e < point.errors.size();
     errors[result.chosen->errors[e].name] = {{"value", has ? Json(point.errors[e]) : Json()},
-                                             {"on_front", std::count(front.begin(), front.end(), k) > 0}};
+                                             {"on_front", is_on(fronts[e], k)}};
   }
   json["errors"] = errors;
   return json;
@@ -185,6 +196,7 @@ void write_pareto_case(const std::filesystem::path& folder, const ParetoResult& 
     text += fmt::format(",error_{} [%],front_{} [-]", error.name, error.name);
   }
   text += ",blown_up [-]\n";
+  const Fronts fronts = fronts_of(result);
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     const ParetoPoint& point = result.points[k];
     const bool ran = point.failure.empty();
@@ -195,9 +207,7 @@ void write_pareto_case(const std::filesystem::path& folder, const ParetoResult& 
                               point.state_memory, point.compression, point.energy_gain)
                 : ",,,,,,,,,,";
     for (std::size_t e = 0; e < result.chosen->errors.size(); ++e) {
-      const auto front = pareto_front(result.costs(e, false));
-      text +=
-          ran ? fmt::format(",{:g},{}", point.errors[e], std::count(front.begin(), front.end(), k)) : ",,";
+      text += ran ? fmt::format(",{:g},{}", point.errors[e], is_on(fronts[e], k) ? 1 : 0) : ",,";
     }
     text += ran ? ",0\n" : ",1\n";
   }
@@ -231,7 +241,8 @@ void write_pareto_report(const std::filesystem::path& folder, const std::vector<
   for (const ParetoResult& result : results) {
     page.sections.push_back(section_of(folder, result));
     Json points = Json::array();
-    for (std::size_t k = 0; k < result.points.size(); ++k) points.push_back(point_json(result, k));
+    const Fronts fronts = fronts_of(result);
+    for (std::size_t k = 0; k < result.points.size(); ++k) points.push_back(point_json(result, fronts, k));
     json["cases"].push_back({{"name", result.chosen->name},
                              {"title", result.chosen->title},
                              {"end_time", result.end},
