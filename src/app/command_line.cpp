@@ -125,6 +125,12 @@ void add_pareto(CLI::App& app, CommandLine& line) {
   command->add_option("CASE", line.pareto.cases, "Cases; all without any")->type_name("NAME");
   command->add_flag("--full", line.pareto.full, "Published spacings and durations: takes hours");
   command->add_flag("--list", line.pareto.list, "List the cases");
+  command
+      ->add_option("--only", line.pareto.only,
+                   "Only settings whose name has this text, such as 'EISPH, phi 0.17' or 'delta-SPH'; may be "
+                   "given again")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
   command->add_option("--repeats", line.pareto.repeats, "Runs of each setting, of which the median counts")
       ->type_name("N")
       ->check(CLI::Range(1, 100))

@@ -63,6 +63,7 @@ struct ValidateOptions {
 
 struct ParetoOptions {
   std::vector<std::string> cases;  ///< names; empty: all
+  std::vector<std::string> only;   ///< parts of the names of settings; empty: all
   bool full = false;               ///< published spacings and durations
   bool list = false;               ///< only tell what cases there are
   int repeats = 3;                 ///< runs of each setting

@@ -47,6 +47,7 @@ int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream
   }
   const InterruptWatcher interrupt;
   const auto cases = choose_cases("pareto", pareto_cases(), options.cases);
+  const auto settings = choose_settings(options.only);
   require_gnuplot();
   create_folder(options.out);
   Validator validator({options.out, 1, options.full, options.quiet}, progress,
@@ -54,7 +55,7 @@ int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream
   std::vector<ParetoResult> results;
   try {
     for (const ParetoCase* chosen : cases) {
-      results.push_back(study(*chosen, options.repeats, validator));
+      results.push_back(study(*chosen, settings, options.repeats, validator));
       write_pareto_case(options.out, results.back());
       write_pareto_report(options.out, results, subtitle(options));
       if (!options.quiet) print_best(out, results.back());

@@ -46,7 +46,7 @@ TEST(Pareto, RunsEverySettingAsOftenAsAskedAndCostsIt) {
   std::ostringstream progress;
   Validator validator({folder.path(), 1, false, true}, progress, [] { return false; });
   ParetoCase small = small_case();
-  const ParetoResult result = study(small, 2, validator);
+  const ParetoResult result = study(small, pareto_settings(), 2, validator);
   ASSERT_EQ(result.points.size(), pareto_settings().size());
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     const ParetoPoint& point = result.points[k];
@@ -67,7 +67,7 @@ TEST(Pareto, HoldsRunsAgainstAReferenceAtHalfTheSpacingAndWritesAllOfIt) {
   Validator validator({folder.path(), 1, false, true}, progress, [] { return false; });
   ParetoCase small = small_case();
   small.reference = {"scheme.phi=0.1"};
-  const ParetoResult result = study(small, 1, validator);
+  const ParetoResult result = study(small, pareto_settings(), 1, validator);
   EXPECT_EQ(result.reference_spacing, 0.025);
   EXPECT_THAT(result.reference_spread, testing::ElementsAre(testing::DoubleEq(5.3)));
   EXPECT_THAT(result.points[0].errors, testing::ElementsAre(testing::DoubleEq(1.7)));
@@ -86,6 +86,21 @@ TEST(Pareto, HoldsRunsAgainstAReferenceAtHalfTheSpacingAndWritesAllOfIt) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "small_particles.png"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "small_particles_pairs.png"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "report.html"));
+}
+
+TEST(Pareto, ChoosesSettingsByAPartOfTheirNames) {
+  EXPECT_EQ(choose_settings({}).size(), pareto_settings().size());
+  const auto chosen = choose_settings({"ISPH, phi 0.06", "delta-SPH, Courant"});
+  std::vector<std::string> names;
+  for (const ParetoSetting& setting : chosen) names.push_back(setting_name(setting.scheme, setting.step));
+  EXPECT_THAT(names, testing::ElementsAre("EISPH, phi 0.06", "ISPH, phi 0.06", "delta-SPH, Courant 0.25",
+                                          "delta-SPH, Courant 0.5"));
+  try {
+    static_cast<void>(choose_settings({"WCSPH", "phi 0.99"}));
+    FAIL() << "expected an InputError";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("phi 0.99"), HasSubstr("'EISPH, phi 0.17'")));
+  }
 }
 
 TEST(Pareto, NamesTheCasesItKnows) {

@@ -15,8 +15,15 @@ struct ParetoSetting {
   std::vector<std::string> overrides;
 };
 
+/// "EISPH, phi 0.17"
+[[nodiscard]] std::string setting_name(const std::string& scheme, const std::string& step);
+
 /// All settings that are compared, by series.
 [[nodiscard]] const std::vector<ParetoSetting>& pareto_settings();
+
+/// Those whose name contains one of the texts; all without any text. Throws InputError for a text that is
+/// in no name.
+[[nodiscard]] std::vector<ParetoSetting> choose_settings(const std::vector<std::string>& texts);
 
 /// One way to tell how far off a run is.
 struct ParetoError {

@@ -25,8 +25,8 @@ std::filesystem::path chart_path(const std::filesystem::path& folder, const Pare
   return folder / fmt::format("{}_{}{}.png", result.chosen->name, error.name, pairs ? "_pairs" : "");
 }
 
-std::string setting_name(const ParetoPoint& point) {
-  return fmt::format("{}, {}, dx = {:g} m", point.scheme, point.step, point.spacing);
+std::string point_name(const ParetoPoint& point) {
+  return fmt::format("{}, dx = {:g} m", setting_name(point.scheme, point.step), point.spacing);
 }
 
 /// Cost against error, a series for each scheme, the front as a line.
@@ -124,9 +124,8 @@ ReportTable best_table(const ParetoResult& result) {
     std::vector<std::string> row = {result.chosen->errors[e].name};
     for (const double level : kLevels) {
       const auto best = cheapest_within(costs, level);
-      row.push_back(best
-                        ? fmt::format("{}: {:.3g} s/s", setting_name(result.points[*best]), costs[*best].cost)
-                        : "none");
+      row.push_back(best ? fmt::format("{}: {:.3g} s/s", point_name(result.points[*best]), costs[*best].cost)
+                         : "none");
     }
     table.rows.push_back(row);
   }

@@ -73,7 +73,8 @@ std::vector<CostAndError> ParetoResult::costs(std::size_t error, bool pairs) con
   return costs;
 }
 
-ParetoResult study(const ParetoCase& chosen, int repeats, Validator& validator) {
+ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& settings, int repeats,
+                   Validator& validator) {
   const std::vector<double>& spacings = validator.pick(chosen.full_spacings, chosen.quick_spacings);
   ParetoResult result;
   result.chosen = &chosen;
@@ -97,7 +98,7 @@ ParetoResult study(const ParetoCase& chosen, int repeats, Validator& validator) 
   };
   std::vector<Entry> entries;
   for (const double spacing : spacings) {
-    for (const ParetoSetting& setting : pareto_settings()) {
+    for (const ParetoSetting& setting : settings) {
       ParetoPoint point;
       point.scheme = setting.scheme;
       point.step = setting.step;

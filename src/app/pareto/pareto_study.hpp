@@ -42,9 +42,10 @@ struct ParetoResult {
   [[nodiscard]] std::vector<CostAndError> costs(std::size_t error, bool pairs) const;
 };
 
-/// Runs all settings on all spacings of a case, `repeats` times, every other time in reverse order, so that
+/// Runs the settings on all spacings of a case, `repeats` times, every other time in reverse order, so that
 /// a machine that becomes slower or faster favours none. Throws ValidationInterrupted.
-[[nodiscard]] ParetoResult study(const ParetoCase& chosen, int repeats, Validator& validator);
+[[nodiscard]] ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& settings,
+                                 int repeats, Validator& validator);
 
 /// Writes <folder>/<case>.csv and the charts <folder>/<case>_<error>.png and _pairs.png.
 void write_pareto_case(const std::filesystem::path& folder, const ParetoResult& result);
