@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,28 @@ std::vector<const Case*> choose_cases(const std::string& command, const std::vec
   for (const Case& known : all) {
     if (names.empty() || std::count(names.begin(), names.end(), known.name) > 0) chosen.push_back(&known);
   }
+  return chosen;
+}
+
+/// The entries of `all` whose name, as `name_of` tells it, contains one of the texts; all of them without any
+/// text. `option` is for the error: throws InputError for a text that is in no name.
+template <class Entry, class NameOf>
+std::vector<Entry> choose_by_text(const std::string& option, const std::vector<Entry>& all,
+                                  const NameOf& name_of, const std::vector<std::string>& texts) {
+  const auto has = [&](const Entry& entry, const std::string& text) {
+    return name_of(entry).find(text) != std::string::npos;
+  };
+  for (const std::string& text : texts) {
+    if (std::any_of(all.begin(), all.end(), [&](const Entry& entry) { return has(entry, text); })) continue;
+    std::string names;
+    for (const Entry& entry : all) names += (names.empty() ? "'" : ", '") + name_of(entry) + "'";
+    throw InputError(fmt::format("{} {}: no name has that in it; there are {}", option, text, names));
+  }
+  std::vector<Entry> chosen;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [&](const Entry& entry) {
+    return texts.empty() ||
+           std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return has(entry, text); });
+  });
   return chosen;
 }
 

@@ -41,6 +41,12 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void add_only(CLI::App& app, std::vector<std::string>& texts, const std::string& which) {
+  app.add_option("--only", texts, "Only " + which + "; may be given again")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
+}
+
 void add_threads(CLI::App& app, int& threads) {
   threads = std::max(1, static_cast<int>(host_info().cores));
   app.add_option("--threads", threads, "Threads of the simulation")
@@ -125,12 +131,8 @@ void add_pareto(CLI::App& app, CommandLine& line) {
   command->add_option("CASE", line.pareto.cases, "Cases; all without any")->type_name("NAME");
   command->add_flag("--full", line.pareto.full, "Published spacings and durations: takes hours");
   command->add_flag("--list", line.pareto.list, "List the cases");
-  command
-      ->add_option("--only", line.pareto.only,
-                   "Only settings whose name has this text, such as 'EISPH, phi 0.17' or 'delta-SPH'; may be "
-                   "given again")
-      ->type_name("TEXT")
-      ->allow_extra_args(false);
+  add_only(*command, line.pareto.only,
+           "settings whose name has this text, such as 'EISPH, phi 0.17' or 'delta-SPH'");
   command->add_option("--repeats", line.pareto.repeats, "Runs of each setting, of which the median counts")
       ->type_name("N")
       ->check(CLI::Range(1, 100))
@@ -146,6 +148,7 @@ void add_pareto(CLI::App& app, CommandLine& line) {
 void add_stability(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("stability", "Find where the schemes are stable on hard cases");
   command->add_option("CASE", line.stability.cases, "Cases; all without any")->type_name("NAME");
+  add_only(*command, line.stability.only, "schemes whose name has this text, such as 'EISPH, thesis'");
   command->add_flag("--full", line.stability.full,
                     "More time steps, two spacings and longer runs: takes hours");
   command->add_flag("--list", line.stability.list, "List the cases");

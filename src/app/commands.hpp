@@ -77,6 +77,7 @@ struct ParetoOptions {
 
 struct StabilityOptions {
   std::vector<std::string> cases;  ///< names; empty: all
+  std::vector<std::string> only;   ///< parts of the names of schemes; empty: all
   bool full = false;               ///< five time steps and two spacings instead of two and one, longer runs
   bool list = false;               ///< only tell what cases there are
   std::filesystem::path out = std::filesystem::path("out") / "stability";

@@ -76,6 +76,9 @@ int stability_command(const StabilityOptions& options, std::ostream& out) {
   for (const StabilityCase* chosen : choose_cases("stability", all, options.cases)) {
     atlas.cases.push_back(*chosen);
   }
+  atlas.schemes = choose_by_text(
+      "stability --only", stability_schemes(), [](const StabilityScheme& scheme) { return scheme.name; },
+      options.only);
   atlas.step_factors =
       options.full ? std::vector<double>{0.5, 1.0, 1.5, 2.0, 3.0} : std::vector<double>{1.0, 2.0};
   atlas.spacing_factors = options.full ? std::vector<double>{1.0, 0.5} : std::vector<double>{1.0};
@@ -86,7 +89,7 @@ int stability_command(const StabilityOptions& options, std::ostream& out) {
       fmt::format("{}{}, {}", software_name(), build.commit.empty() ? "" : " (" + build.commit + ")",
                   iso_time(std::chrono::system_clock::now()));
   for (const StabilityCase& row : atlas.cases) {
-    for (const StabilityScheme& scheme : stability_schemes()) {
+    for (const StabilityScheme& scheme : atlas.schemes) {
       for (const double spacing : atlas.spacing_factors) {
         for (const double factor : atlas.step_factors) {
           const AtlasCell cell = fill_cell(row, scheme, factor, spacing, options.threads, stop);

@@ -145,11 +145,21 @@ KeyTable<SchemeSettings> scheme_keys() {
         return adaptive ? write_text("adaptive") : write_number(scheme.time_step);
       });
   keys.number("phi", "", &SchemeSettings::phi, above_to(0.0, 1.0),
-              "Time step dt Umax / dx of the adaptive step.")
+              "Time step dt Umax / dx of the adaptive step; Umax is the largest speed of the moment, or the "
+              "expected one times its weight if that is larger.")
       .fallback("0.17, with thesis stepping 0.06");
+  keys.number("expected_speed_weight", "", &SchemeSettings::expected_speed_weight, between(0.1, 1.0),
+              "Part of the expected speed, the larger of sqrt(2 g H) and the initial speed, that bounds the "
+              "adaptive step of eisph and isph: below 1, steps are longer while the water moves slowly.")
+      .fallback("0.67, of isph and with thesis stepping 1.0");
   keys.number("source_factor", "", &SchemeSettings::source_factor, above_to(0.0, 20.0),
               "Weight omega of the present velocity in the source of the pressure equation.")
       .fallback("3.0, of isph and with thesis stepping 1.0");
+  keys.boolean(
+          "viscous_source", &SchemeSettings::viscous_source,
+          "Let the viscous acceleration take part in the source of the pressure equation. Without it the "
+          "viscous sum is found together with the pressure gradient, one pass over the neighbours less.")
+      .fallback("false, of isph and with thesis stepping true");
   keys.add(
           {.name = "volume_correction",
            .type = "\"automatic\" or a number from 0 to 4",

@@ -4,26 +4,37 @@ namespace eisph {
 
 template <int Dim>
 void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step) {
+  const ParticleSystem<Dim>& p = this->particles_;
+  if (p.viscosity > 0.0 && !p.scene.scheme.viscous_source) {
+    advance<true>(step);
+  } else {
+    advance<false>(step);
+  }
+}
+
+template <int Dim>
+template <bool Viscous>
+void IncompressibleScheme<Dim>::advance(const StepInHand& step) {
   ParticleSystem<Dim>& p = this->particles_;
   const double time_step = step.time_step;
   const double omega = p.scene.scheme.source_factor;
   const bool lead = this->positions_lead();
   const double drift = step.leading_drift();
   p.count_pass();
-  this->motion_.advance(p, step, lead ? 0.5 * time_step : 0.0,
-                        [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
-                          const std::uint32_t row = p.fluid_row(i);
-                          const Vector<Dim, double> acceleration = pressure_acceleration(p, row, near);
-                          const float* before = &p.table.velocity[row].x;
-                          const float* source = &p.table.source[row].x;
-                          for (int d = 0; d < Dim; ++d) {
-                            const double predicted = source[d] - (omega - 1.0) * before[d];
-                            velocity[d] = predicted + time_step * acceleration.x[d];
-                            const double moved =
-                                lead ? drift * velocity[d] : 0.5 * time_step * (before[d] + velocity[d]);
-                            position[d] = p.position[d][i] + moved;
-                          }
-                        });
+  this->motion_.advance(
+      p, step, lead ? 0.5 * time_step : 0.0,
+      [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
+        const std::uint32_t row = p.fluid_row(i);
+        const Vector<Dim, double> acceleration = pressure_acceleration<Dim, Viscous>(p, row, near);
+        const float* before = &p.table.velocity[row].x;
+        const float* source = &p.table.source[row].x;
+        for (int d = 0; d < Dim; ++d) {
+          const double predicted = source[d] - (omega - 1.0) * before[d];
+          velocity[d] = predicted + time_step * acceleration.x[d];
+          const double moved = lead ? drift * velocity[d] : 0.5 * time_step * (before[d] + velocity[d]);
+          position[d] = p.position[d][i] + moved;
+        }
+      });
 }
 
 template class IncompressibleScheme<2>;

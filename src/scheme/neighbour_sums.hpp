@@ -61,29 +61,43 @@ inline Vector<Dim, double> viscous_acceleration(const ParticleSystem<Dim>& parti
   return acceleration;
 }
 
-/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, m/s^2.
-template <int Dim>
+/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, and with Viscous nu lap u too, m/s^2.
+template <int Dim, bool Viscous = false>
 inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& particles, std::uint32_t row,
                                                  const Neighbours& near) {
   const SourceTable& table = particles.table;
   const Pack pressure = splat<Pack>(table.position[row].w);
+  const auto u = splat_row<Dim>(table.velocity[row]);
   PressureGradientSum<Dim, Pack> sum;
+  ViscousSum<Dim, Pack> viscous;
+  const auto add = [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other,
+                       Pack volume) {
+    sum.add(pair, volume, pressure, other);
+    if constexpr (Viscous) {
+      const PackRows velocities = gather_rows(table.velocity.data(), j);
+      viscous.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
+    }
+  };
   double factor = -particles.alpha / (particles.h * particles.scene.density);
   if (near.near_object) {
     for_neighbours<Dim>(table, row, near,
                         [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
-                          sum.add(pair, gather_rows(table.source.data(), j).w, pressure, other);
+                          add(j, pair, other, gather_rows(table.source.data(), j).w);
                         });
   } else {
     // All volumes are equal but those of objects.
     for_neighbours<Dim>(table, row, near,
-                        [&](const std::uint32_t*, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
-                          sum.add(pair, splat<Pack>(1.0), pressure, other);
+                        [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
+                          add(j, pair, other, splat<Pack>(1.0));
                         });
     factor *= particles.volume;
   }
   Vector<Dim, double> acceleration;
   for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
+  if constexpr (Viscous) {
+    const double drag = viscous_factor(particles);
+    for (int d = 0; d < Dim; ++d) acceleration.x[d] += drag * horizontal_sum(viscous.value.x[d]);
+  }
   return acceleration;
 }
 

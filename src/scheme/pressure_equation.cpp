@@ -46,7 +46,7 @@ template <int Dim>
 void PressureEquation<Dim>::set_source(double time_step) {
   ParticleSystem<Dim>& p = particles_;
   const double omega = p.scene.scheme.source_factor;
-  const bool viscous = p.viscosity > 0.0;
+  const bool viscous = p.viscosity > 0.0 && p.scene.scheme.viscous_source;
   const double scale = repulsion_scale(p);
   if (viscous) p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {

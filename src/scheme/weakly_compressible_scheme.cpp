@@ -143,7 +143,8 @@ void WeaklyCompressibleScheme<Dim>::leap_frog(const StepInHand& step) {
   this->clock_.start(Stage::Pressure);
   p.pool.run_blocks(p.fluid, 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
-      p.carried[i] = kept_compression(i, p.carried[i] + time_step * rate_[i].w);
+      const float compression = p.table.position[p.fluid_row(i)].w;
+      p.carried[i] = kept_compression(i, compression + time_step * rate_[i].w);
       p.pressure[i] = static_cast<float>(state_.pressure(p.carried[i]));
     }
   });
@@ -171,7 +172,7 @@ void WeaklyCompressibleScheme<Dim>::runge_kutta(const StepInHand& step,
   p.pool.run_blocks(p.fluid, 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       start_[i] = p.table.velocity[p.fluid_row(i)];
-      start_[i].w = p.carried[i];
+      start_[i].w = p.table.position[p.fluid_row(i)].w;
       velocity_sum_[i] = {};
       rate_sum_[i] = {};
     }

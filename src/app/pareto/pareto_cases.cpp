@@ -1,11 +1,10 @@
 #include "app/pareto/pareto_cases.hpp"
 
+#include "app/case_choice.hpp"
 #include "app/validate/sampling.hpp"
 #include "compare/reference_table.hpp"
 #include "compare/ritter.hpp"
-#include "core/error.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -136,28 +135,9 @@ const std::vector<ParetoSetting>& pareto_settings() {
 std::string setting_name(const std::string& scheme, const std::string& step) { return scheme + ", " + step; }
 
 std::vector<ParetoSetting> choose_settings(const std::vector<std::string>& texts) {
-  if (texts.empty()) return pareto_settings();
-  const auto has = [](const ParetoSetting& setting, const std::string& text) {
-    return setting_name(setting.scheme, setting.step).find(text) != std::string::npos;
-  };
-  for (const std::string& text : texts) {
-    const auto& all = pareto_settings();
-    if (std::any_of(all.begin(), all.end(), [&](const auto& setting) { return has(setting, text); }))
-      continue;
-    std::string names;
-    for (const auto& setting : all) {
-      names += (names.empty() ? "'" : ", '") + setting_name(setting.scheme, setting.step) + "'";
-    }
-    throw InputError(
-        fmt::format("pareto --only {}: no setting has that in its name; there are {}", text, names));
-  }
-  std::vector<ParetoSetting> chosen;
-  for (const ParetoSetting& setting : pareto_settings()) {
-    if (std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return has(setting, text); })) {
-      chosen.push_back(setting);
-    }
-  }
-  return chosen;
+  return choose_by_text(
+      "pareto --only", pareto_settings(),
+      [](const ParetoSetting& setting) { return setting_name(setting.scheme, setting.step); }, texts);
 }
 
 const std::vector<ParetoCase>& pareto_cases() {

@@ -53,6 +53,7 @@ struct AtlasCell {
 
 struct Atlas {
   std::vector<StabilityCase> cases;
+  std::vector<StabilityScheme> schemes;
   std::vector<double> step_factors;     ///< of each scheme's default step
   std::vector<double> spacing_factors;  ///< of each scene's spacing
   std::vector<AtlasCell> cells;

@@ -150,7 +150,7 @@ void write_atlas(const std::filesystem::path& folder, const Atlas& atlas, const 
                   "initial one. The "
                   "word in a cell is the gravest of these, of blow-ups the time.",
                   100.0 * limits.compression, 100.0 * limits.energy_gain)};
-  for (const StabilityScheme& scheme : stability_schemes()) {
+  for (const StabilityScheme& scheme : atlas.schemes) {
     const auto path = map_path(folder, scheme);
     write_status_map(path, map_of(atlas, scheme));
     maps.figures.push_back({path, scheme.name + "."});
