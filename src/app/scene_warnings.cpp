@@ -15,6 +15,8 @@ constexpr double kLeastThickness = 1.5;
 /// phi above which walls alone, and walls with objects, no longer hold for certain.
 constexpr double kLargestPhi = 0.25;
 constexpr double kLargestThesisPhi = 0.06;
+/// Of the reference speed, as long as no water is that fast. Water at rest gains energy beyond 0.3.
+constexpr double kLargestPhiAtRest = 0.26;
 constexpr double kLargestPhiWithObjects = 0.17;
 /// Largest relative difference between the volume of the particles and that of the regions.
 constexpr double kVolumeTolerance = 0.01;
@@ -81,7 +83,9 @@ void warn_of_negative_pressure(std::vector<std::string>& warnings, const Scene& 
 }
 
 void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
-  const double phi = plan.time_step * scene.expected_speed() / scene.particle_spacing;
+  const bool adaptive = scene.scheme.time_step_mode == TimeStepMode::Adaptive;
+  const double at_rest = plan.time_step * scene.expected_speed() / scene.particle_spacing;
+  const double phi = adaptive ? std::min(at_rest, scene.scheme.phi) : at_rest;
   const double slack = 1.0 + 1e-6;
   const bool objects = plan.object_particles > 0;
   if (phi > largest_phi(scene) * slack) {
@@ -93,8 +97,13 @@ void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, c
         fmt::format("phi = dt Umax / dx is {:.3g} at t = 0, above 0.17 in a scene with objects: water "
                     "may pass through them",
                     phi));
+  } else if (at_rest > kLargestPhiAtRest * slack) {
+    warnings.push_back(
+        fmt::format("phi / reference_speed_weight is {:.3g}, above {:g}: the time step while the water moves "
+                    "slowly may be too long for its weight",
+                    at_rest, kLargestPhiAtRest));
   }
-  if (scene.scheme.time_step_mode != TimeStepMode::Adaptive) return;
+  if (!adaptive) return;
   Scene inviscid = scene;
   inviscid.kinematic_viscosity = 0.0;
   inviscid.artificial_viscosity = 0.0;

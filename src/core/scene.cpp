@@ -45,13 +45,15 @@ double FluidRegion::fastest() const {
 
 double Scene::reference_speed() const { return std::sqrt(2.0 * gravity.norm() * reference_depth); }
 
-double Scene::expected_speed() const {
-  double speed = reference_speed();
+double Scene::initial_speed() const {
+  double speed = 0.0;
   for (const FluidRegion& region : fluid) {
     if (!region.cut) speed = std::max(speed, region.fastest());
   }
   return speed;
 }
+
+double Scene::expected_speed() const { return std::max(reference_speed(), initial_speed()); }
 
 std::vector<double> probe_intervals(const Scene& scene) {
   std::vector<double> intervals;

@@ -117,7 +117,7 @@ struct SchemeSettings {
   Stepping stepping = Stepping::Symplectic;
   TimeStepMode time_step_mode = TimeStepMode::Adaptive;
   double phi = 0.17;                        ///< dt Umax / dx of the adaptive step
-  double expected_speed_weight = 1.0;       ///< of the expected speed in the adaptive step
+  double reference_speed_weight = 0.67;     ///< of the reference speed in the adaptive step
   double time_step = 0.0;                   ///< s, fixed step
   double source_factor = 3.0;               ///< omega (method: symplectic 3, thesis 1)
   bool viscous_source = false;              ///< viscosity takes part in the source of the pressure equation
@@ -273,7 +273,9 @@ struct Scene {
   [[nodiscard]] double support_radius() const { return 2.0 * smoothing_length(); }
   /// sqrt(2 g H): the speed expected of the wave, m/s.
   [[nodiscard]] double reference_speed() const;
-  /// The larger of the reference speed and the fastest initial velocity, m/s.
+  /// Of the fastest water at t = 0, m/s.
+  [[nodiscard]] double initial_speed() const;
+  /// The larger of the reference speed and the initial speed, m/s.
   [[nodiscard]] double expected_speed() const;
 
   bool operator==(const Scene&) const = default;

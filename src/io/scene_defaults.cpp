@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kRecordInterval = 0.01;  ///< s, of gauges and probes
 constexpr double kThesisPhi = 0.06;       ///< largest dt Umax / dx at which the thesis's stepping is accurate
-constexpr double kExpectedSpeedWeight = 0.67;
 constexpr double kSoundOverSpeed = 10.0;  ///< c0 over the speed expected: density varies by 1 %
 constexpr double kCellsPerSpacing = 1.5;  ///< gauge columns and depth cells over the particle spacing
 
@@ -127,9 +126,7 @@ void complete_scheme(Scene& scene, const TomlSource& source) {
   }
   const bool plain_source = scheme.stepping == Stepping::Thesis || scheme.name == "isph";
   if (plain_source && !source.given("scheme.source_factor")) scheme.source_factor = 1.0;
-  if (!plain_source && !source.given("scheme.expected_speed_weight")) {
-    scheme.expected_speed_weight = kExpectedSpeedWeight;
-  }
+  if (plain_source && !source.given("scheme.reference_speed_weight")) scheme.reference_speed_weight = 1.0;
   if (plain_source && !source.given("scheme.viscous_source")) scheme.viscous_source = true;
   if (scheme.sound_speed == 0.0) scheme.sound_speed = kSoundOverSpeed * scene.expected_speed();
   if (scheme.courant == 0.0) scheme.courant = default_courant(scheme.stepping);

@@ -144,13 +144,14 @@ KeyTable<SchemeSettings> scheme_keys() {
         const bool adaptive = scheme.time_step_mode == TimeStepMode::Adaptive;
         return adaptive ? write_text("adaptive") : write_number(scheme.time_step);
       });
-  keys.number("phi", "", &SchemeSettings::phi, above_to(0.0, 1.0),
-              "Time step dt Umax / dx of the adaptive step; Umax is the largest speed of the moment, or the "
-              "expected one times its weight if that is larger.")
+  keys.number(
+          "phi", "", &SchemeSettings::phi, above_to(0.0, 1.0),
+          "Time step dt Umax / dx of the adaptive step; Umax is the largest of the speed of the moment, the "
+          "initial speed and the weighted reference speed.")
       .fallback("0.17, with thesis stepping 0.06");
-  keys.number("expected_speed_weight", "", &SchemeSettings::expected_speed_weight, between(0.1, 1.0),
-              "Part of the expected speed, the larger of sqrt(2 g H) and the initial speed, that bounds the "
-              "adaptive step of eisph and isph: below 1, steps are longer while the water moves slowly.")
+  keys.number("reference_speed_weight", "", &SchemeSettings::reference_speed_weight, between(0.1, 1.0),
+              "Weight of the reference speed sqrt(2 g H) in the adaptive step of eisph and isph: below 1, "
+              "steps are longer as long as no water is that fast.")
       .fallback("0.67, of isph and with thesis stepping 1.0");
   keys.number("source_factor", "", &SchemeSettings::source_factor, above_to(0.0, 20.0),
               "Weight omega of the present velocity in the source of the pressure equation.")

@@ -1,6 +1,7 @@
 #include "scheme/incompressible_scheme.hpp"
 #include "scheme/schemes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace eisph {
@@ -23,17 +24,23 @@ class EisphScheme final : public IncompressibleScheme<Dim> {
  private:
   void take_step(const StepInHand& step) override {
     this->find_neighbourhood(step);
+    pressure_step_ = std::max(step.time_step, pressure_step_ / kLargestChange);
     this->clock_.start(Stage::Acceleration);
-    this->equation_.set_source(step.time_step);
+    this->equation_.set_source(pressure_step_);
     this->clock_.start(Stage::Pressure);
-    this->equation_.relax(step.time_step);
+    this->equation_.relax(pressure_step_);
     for (int sweep = 1; sweep < this->particles_.scene.scheme.pressure_sweeps; ++sweep) {
       this->equation_.sweep_again();
     }
-    this->equation_.correct_volume(step.time_step);
+    this->equation_.correct_volume(pressure_step_);
     this->equation_.publish(true);
     this->clock_.start(Stage::Gradient);
-    this->apply_gradient(step);
+    this->apply_gradient(step, pressure_step_);
+  }
+
+  [[nodiscard]] double admissible_time_step() const override {
+    const double step = IncompressibleScheme<Dim>::admissible_time_step();
+    return pressure_step_ > 0.0 ? std::min(step, kLargestChange * pressure_step_) : step;
   }
 
   /// One sweep with persistent pressure is artificial compressibility.
@@ -43,6 +50,12 @@ class EisphScheme final : public IncompressibleScheme<Dim> {
   }
 
   [[nodiscard]] double planned_bytes() const override { return 4.0; }
+
+  /// The step that the pressure equation reckons with, s. The sweep's speed of sound goes with its inverse:
+  /// in a step cut short for an output that follows another closely, every bit of noise in the divergence
+  /// would become a blow of pressure, which the next, long step would let act in full.
+  double pressure_step_ = 0.0;
+  static constexpr double kLargestChange = 4.0;  ///< of that step, up or down, as a factor
 };
 
 }  // namespace

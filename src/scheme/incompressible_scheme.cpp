@@ -3,21 +3,22 @@
 namespace eisph {
 
 template <int Dim>
-void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step) {
+void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step, double source_step) {
   const ParticleSystem<Dim>& p = this->particles_;
   if (p.viscosity > 0.0 && !p.scene.scheme.viscous_source) {
-    advance<true>(step);
+    advance<true>(step, source_step);
   } else {
-    advance<false>(step);
+    advance<false>(step, source_step);
   }
 }
 
 template <int Dim>
 template <bool Viscous>
-void IncompressibleScheme<Dim>::advance(const StepInHand& step) {
+void IncompressibleScheme<Dim>::advance(const StepInHand& step, double source_step) {
   ParticleSystem<Dim>& p = this->particles_;
   const double time_step = step.time_step;
   const double omega = p.scene.scheme.source_factor;
+  const double part = time_step / source_step;
   const bool lead = this->positions_lead();
   const double drift = step.leading_drift();
   p.count_pass();
@@ -29,7 +30,7 @@ void IncompressibleScheme<Dim>::advance(const StepInHand& step) {
         const float* before = &p.table.velocity[row].x;
         const float* source = &p.table.source[row].x;
         for (int d = 0; d < Dim; ++d) {
-          const double predicted = source[d] - (omega - 1.0) * before[d];
+          const double predicted = before[d] + part * (source[d] - omega * before[d]);
           velocity[d] = predicted + time_step * acceleration.x[d];
           const double moved = lead ? drift * velocity[d] : 0.5 * time_step * (before[d] + velocity[d]);
           position[d] = p.position[d][i] + moved;

@@ -35,7 +35,7 @@ class IsphScheme final : public IncompressibleScheme<Dim> {
     this->equation_.correct_volume(step.time_step);
     this->equation_.publish(true);
     this->clock_.start(Stage::Gradient);
-    this->apply_gradient(step);
+    this->apply_gradient(step, step.time_step);
   }
 
   [[nodiscard]] double sound_speed(double) const override { return std::numeric_limits<double>::infinity(); }

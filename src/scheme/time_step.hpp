@@ -19,11 +19,13 @@ inline double viscous_time_step(double smoothing_length, double viscosity) {
   return 0.5 * smoothing_length * smoothing_length / viscosity;
 }
 
-/// Largest admissible time step of the incompressible schemes, s: phi dx / Umax with the larger of the
-/// present speed and the weighted expected one, and the viscous limit; or the fixed step of the scene.
+/// Largest admissible time step of the incompressible schemes, s: phi dx / Umax with the largest of the
+/// present speed, the initial one and the weighted reference speed, and the viscous limit; or the fixed step
+/// of the scene.
 inline double admissible_time_step(const Scene& scene, double speed_max) {
   if (scene.scheme.time_step_mode == TimeStepMode::Fixed) return scene.scheme.time_step;
-  const double speed = std::max(scene.scheme.expected_speed_weight * scene.expected_speed(), speed_max);
+  const double weighted = scene.scheme.reference_speed_weight * scene.reference_speed();
+  const double speed = std::max({weighted, scene.initial_speed(), speed_max});
   double step = scene.scheme.phi * scene.particle_spacing / speed;
   const double viscosity = scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
   if (viscosity > 0.0) step = std::min(step, viscous_time_step(scene.smoothing_length(), viscosity));

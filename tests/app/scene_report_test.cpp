@@ -78,6 +78,15 @@ TEST(SceneWarnings, TellOfATimeStepTooLargeForWalls) {
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 0.3 at t = 0, above 0.25")));
 }
 
+TEST(SceneWarnings, TellOfAWeightOfTheExpectedSpeedThatMakesTheFirstStepsTooLong) {
+  Scene scene = sound_scene();
+  SimulationPlan plan = plan_of(scene);
+  plan.time_step *= 1.5;
+  EXPECT_THAT(scene_warnings(scene, plan), IsEmpty());
+  plan.time_step *= 1.1;
+  EXPECT_THAT(scene_warnings(scene, plan), ElementsAre(HasSubstr("reference_speed_weight is 0.28")));
+}
+
 TEST(SceneWarnings, TellOfStepsAtWhichHardCasesBlewUp) {
   Scene scene = sound_scene();
   scene.obstacles.clear();

@@ -2,7 +2,9 @@
 
 #include "scheme/scheme_scenes.hpp"
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +41,10 @@ TEST_P(Schemes, CarryTheFrontOfACollapsingColumnAsFar) {
   double front = 0.0;
   for (const Vec3f& position : snapshot->position) front = std::max<double>(front, position.x());
   EXPECT_NEAR(front, 0.3834, 0.005);
+  // A density carried by particles must stay with its particle: where it does not, they crowd at the floor.
+  std::vector<float> densities = snapshot->number_density;
+  std::sort(densities.begin(), densities.end());
+  EXPECT_LT(densities[densities.size() * 95 / 100], 1.02F);
   const RunSummary summary = simulation->summary();
   EXPECT_EQ(summary.penetrations, 0U);
   EXPECT_LT(summary.energy_gain_max, 0.002 * summary.energy_initial);
@@ -113,7 +119,10 @@ TEST_P(Schemes, HoldTheFluidOnNoSlipWallsOnly) {
 /// Decay rate of the kinetic energy of Taylor-Green vortices at Re = 100 over 1 s, over 16 pi^2 nu.
 TEST_P(SlowSchemes, SlowTaylorGreenVorticesAtTheRateOfViscosity) {
   constexpr double kViscosity = 0.01;
-  const auto simulation = start(with_method(taylor_green(0.01, kViscosity), GetParam()), 2);
+  Scene scene = taylor_green(0.01, kViscosity);
+  // Without diffusion of the density its noise takes energy from the vortices, unless shifting is stronger.
+  if (std::string(GetParam().scheme) == "wcsph") scene.scheme.shifting = 4.0;
+  const auto simulation = start(with_method(scene, GetParam()), 2);
   const double before = kinetic_energy(*simulation->snapshot());
   EXPECT_NEAR(before, 250.0, 1.0);
   run_until(*simulation, 1.0);
@@ -151,6 +160,8 @@ double distance_of_schemes(double phi) {
   const auto state = [&](const char* name) {
     Scene with = with_method(scene, {name, Stepping::Symplectic});
     with.scheme.source_factor = 1.0;
+    with.scheme.viscous_source = true;
+    with.scheme.reference_speed_weight = 1.0;
     with.scheme.volume_correction = 0.0;
     const auto simulation = start(with);
     run_until(*simulation, 0.12);
@@ -184,6 +195,33 @@ TEST(Schemes, IsphReportsItsIterationsAndObeysItsTolerance) {
   EXPECT_GT(loose, 1.0);
   EXPECT_GT(tight, 1.5 * loose);
   EXPECT_EQ(start(dam_break_2d())->summary().pressure_iterations_mean, 0.0);
+}
+
+TEST(Schemes, ViscosityIsTheSameInTheSourceAndBesideThePressureGradient) {
+  Scene scene = dam_break_2d(0.02);
+  // A film of two layers is all free surface: no pressure, viscosity alone.
+  scene.fluid[0].shape = box(Vec3d(0.1, 0.0, 0.1), Vec3d(0.4, 0.0, 0.14));
+  scene.fluid[0].vortex_speed = 1.0;
+  scene.kinematic_viscosity = 1e-3;
+  scene.scheme.free_surface_threshold = 1.0;
+  scene.scheme.volume_correction = 0.0;
+  const auto state = [&](bool in_source) {
+    scene.scheme.viscous_source = in_source;
+    const auto simulation = start(scene);
+    take_steps(*simulation, 5);
+    return simulation->snapshot();
+  };
+  const auto apart = state(true);
+  const auto together = state(false);
+  scene.kinematic_viscosity = 0.0;
+  scene.artificial_viscosity = 0.0;
+  const auto inviscid = state(false);
+  float effect = 0.0F;
+  for (std::size_t k = 0; k < apart->size(); ++k) {
+    EXPECT_NEAR((apart->velocity[k] - together->velocity[k]).norm(), 0.0, 1e-5) << k;
+    effect = std::max(effect, (apart->velocity[k] - inviscid->velocity[k]).norm());
+  }
+  EXPECT_GT(effect, 1e-3F);
 }
 
 TEST(Schemes, KeptNeighbourListsDoNotChangeTheFlow) {
@@ -226,10 +264,12 @@ TEST(Schemes, CountThePairsTheyEvaluate) {
     return simulation->summary().pair_evaluations - before;
   };
   const double eisph = pairs({"eisph", Stepping::Symplectic});
-  // Three passes against two, and against two for each of two stages; the lists are nearly the same.
-  EXPECT_NEAR(pairs({"wcsph", Stepping::Symplectic}) / eisph, 2.0 / 3.0, 0.02);
-  EXPECT_NEAR(pairs({"wcsph", Stepping::PredictorCorrector}) / eisph, 4.0 / 3.0, 0.04);
-  EXPECT_GT(eisph, 10.0 * 3.0 * 450.0 * 20.0) << "450 particles with some 21 neighbours";
+  // Two passes, with viscosity in the source three, and two for each of two stages; the lists are nearly the
+  // same.
+  EXPECT_NEAR(pairs({"eisph", Stepping::Thesis}) / eisph, 3.0 / 2.0, 0.04);
+  EXPECT_NEAR(pairs({"wcsph", Stepping::Symplectic}) / eisph, 1.0, 0.03);
+  EXPECT_NEAR(pairs({"wcsph", Stepping::PredictorCorrector}) / eisph, 2.0, 0.06);
+  EXPECT_GT(eisph, 10.0 * 2.0 * 450.0 * 20.0) << "450 particles with some 21 neighbours";
 }
 
 }  // namespace

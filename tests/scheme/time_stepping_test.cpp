@@ -35,7 +35,8 @@ TEST(TimeStepping, DividesTheTimeLeftIntoEqualSteps) {
 }
 
 TEST(TimeStepping, TheAdaptiveStepFollowsTheFastestParticle) {
-  const Scene scene = dam_break_2d();
+  Scene scene = dam_break_2d();
+  scene.scheme.reference_speed_weight = 1.0;
   const double reference = scene.scheme.phi * 0.01 / std::sqrt(2.0 * kGravity * 0.2);
   EXPECT_DOUBLE_EQ(admissible_time_step(scene, 0.0), reference);
   EXPECT_DOUBLE_EQ(admissible_time_step(scene, 1.0), reference) << "slower than the speed expected";
@@ -45,6 +46,18 @@ TEST(TimeStepping, TheAdaptiveStepFollowsTheFastestParticle) {
   simulation->step(10.0);
   EXPECT_LE(simulation->time_step(), reference);
   EXPECT_GT(simulation->time_step(), 0.99 * reference);
+}
+
+TEST(TimeStepping, TheReferenceSpeedCountsByItsWeight) {
+  Scene scene = dam_break_2d();
+  scene.scheme.reference_speed_weight = 0.5;
+  const double expected = std::sqrt(2.0 * kGravity * 0.2);
+  const double unit = scene.scheme.phi * 0.01;
+  EXPECT_DOUBLE_EQ(admissible_time_step(scene, 0.4 * expected), unit / (0.5 * expected));
+  EXPECT_DOUBLE_EQ(admissible_time_step(scene, 0.6 * expected), unit / (0.6 * expected));
+  scene.fluid[0].angular_velocity = 20.0;
+  EXPECT_GT(scene.initial_speed(), 0.7 * expected);
+  EXPECT_DOUBLE_EQ(admissible_time_step(scene, 0.1), unit / scene.initial_speed()) << "in full";
 }
 
 TEST(TimeStepping, ViscosityLimitsTheStep) {
