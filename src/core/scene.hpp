@@ -117,10 +117,10 @@ struct SchemeSettings {
   Stepping stepping = Stepping::Symplectic;
   TimeStepMode time_step_mode = TimeStepMode::Adaptive;
   double phi = 0.17;                        ///< dt Umax / dx of the adaptive step
-  double reference_speed_weight = 0.67;     ///< of the reference speed in the adaptive step
+  double reference_speed_weight = 1.0;      ///< of the reference speed in the adaptive step
   double time_step = 0.0;                   ///< s, fixed step
   double source_factor = 3.0;               ///< omega (method: symplectic 3, thesis 1)
-  bool viscous_source = false;              ///< viscosity takes part in the source of the pressure equation
+  bool viscous_source = true;               ///< viscosity takes part in the source of the pressure equation
   std::optional<double> volume_correction;  ///< kappa; default min(1, 3 phi), thesis 0.1; 0: off
   int pressure_sweeps = 1;
   double free_surface_threshold = 0.9;  ///< of the normalised number density

@@ -151,16 +151,14 @@ KeyTable<SchemeSettings> scheme_keys() {
       .fallback("0.17, with thesis stepping 0.06");
   keys.number("reference_speed_weight", "", &SchemeSettings::reference_speed_weight, between(0.1, 1.0),
               "Weight of the reference speed sqrt(2 g H) in the adaptive step of eisph and isph: below 1, "
-              "steps are longer as long as no water is that fast.")
-      .fallback("0.67, of isph and with thesis stepping 1.0");
+              "steps are longer as long as no water is that fast.");
   keys.number("source_factor", "", &SchemeSettings::source_factor, above_to(0.0, 20.0),
               "Weight omega of the present velocity in the source of the pressure equation.")
       .fallback("3.0, of isph and with thesis stepping 1.0");
   keys.boolean(
-          "viscous_source", &SchemeSettings::viscous_source,
-          "Let the viscous acceleration take part in the source of the pressure equation. Without it the "
-          "viscous sum is found together with the pressure gradient, one pass over the neighbours less.")
-      .fallback("false, of isph and with thesis stepping true");
+      "viscous_source", &SchemeSettings::viscous_source,
+      "Let the viscous acceleration take part in the source of the pressure equation. Without it the "
+      "viscous sum is found together with the pressure gradient, one pass over the neighbours less.");
   keys.add(
           {.name = "volume_correction",
            .type = "\"automatic\" or a number from 0 to 4",

@@ -67,8 +67,6 @@ inline Scene dam_break_3d(const Shape& obstacle, double spacing = 0.0125) {
 inline void use_thesis_stepping(Scene& scene) {
   scene.scheme.stepping = Stepping::Thesis;
   scene.scheme.source_factor = 1.0;
-  scene.scheme.viscous_source = true;
-  scene.scheme.reference_speed_weight = 1.0;
   scene.scheme.phi = 0.06;
 }
 

@@ -34,10 +34,7 @@ inline Scene with_method(Scene scene, const Method& method) {
   scheme.name = method.scheme;
   scheme.stepping = method.stepping;
   if (method.stepping == Stepping::Thesis) scheme.phi = 0.06;
-  const bool plain_source = method.stepping == Stepping::Thesis || method.scheme == "isph";
-  if (plain_source) scheme.source_factor = 1.0;
-  scheme.viscous_source = plain_source;
-  scheme.reference_speed_weight = plain_source ? 1.0 : 0.67;
+  if (method.stepping == Stepping::Thesis || method.scheme == "isph") scheme.source_factor = 1.0;
   scheme.sound_speed = 10.0 * scene.expected_speed();
   scheme.courant = method.stepping == Stepping::RungeKutta ? 1.5 : 0.25;
   return scene;

@@ -35,8 +35,7 @@ TEST(TimeStepping, DividesTheTimeLeftIntoEqualSteps) {
 }
 
 TEST(TimeStepping, TheAdaptiveStepFollowsTheFastestParticle) {
-  Scene scene = dam_break_2d();
-  scene.scheme.reference_speed_weight = 1.0;
+  const Scene scene = dam_break_2d();
   const double reference = scene.scheme.phi * 0.01 / std::sqrt(2.0 * kGravity * 0.2);
   EXPECT_DOUBLE_EQ(admissible_time_step(scene, 0.0), reference);
   EXPECT_DOUBLE_EQ(admissible_time_step(scene, 1.0), reference) << "slower than the speed expected";
