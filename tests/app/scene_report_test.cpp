@@ -78,7 +78,7 @@ TEST(SceneWarnings, TellOfATimeStepTooLargeForWalls) {
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("is 0.3 at t = 0, above 0.25")));
 }
 
-TEST(SceneWarnings, TellOfAWeightOfTheExpectedSpeedThatMakesTheFirstStepsTooLong) {
+TEST(SceneWarnings, TellOfAWeightOfTheReferenceSpeedThatMakesTheFirstStepsTooLong) {
   Scene scene = sound_scene();
   SimulationPlan plan = plan_of(scene);
   plan.time_step *= 1.5;
