@@ -119,6 +119,19 @@ inline PackRows gather_rows(const Float4* table, const std::uint32_t* index) {
   return rows;
 }
 
+/// 1 where index[0..7] is below `limit`, 0 elsewhere. Both below 2^31.
+inline Pack ones_below(const std::uint32_t* index, std::uint32_t limit) {
+#if defined(__AVX2__)
+  const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+  const __m256i below = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(limit)), entries);
+  return (Pack)_mm256_and_ps(_mm256_castsi256_ps(below), _mm256_set1_ps(1.0F));
+#else
+  Pack ones{};
+  for (std::size_t k = 0; k < kPackWidth; ++k) ones[k] = index[k] < limit ? 1.0F : 0.0F;
+  return ones;
+#endif
+}
+
 /// Some of the lanes of a pack, in order.
 struct LaneSelection {
 #if defined(__AVX2__)

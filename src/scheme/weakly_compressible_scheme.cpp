@@ -264,6 +264,9 @@ void WeaklyCompressibleScheme<Dim>::prepare_sources() {
   if (diffusion_ == Diffusion::Renormalised) find_density_gradients();
 }
 
+/// Gradients of s, and the diffusion built on them, leave the images of the fluid out: these have its
+/// pressure, not that of water which goes on beneath the floor, and a fold in the hydrostatic pressure is no
+/// noise.
 template <int Dim>
 void WeaklyCompressibleScheme<Dim>::find_density_gradients() {
   ParticleSystem<Dim>& p = this->particles_;
@@ -281,7 +284,8 @@ void WeaklyCompressibleScheme<Dim>::find_density_gradients() {
       for_neighbours<Dim>(
           table, row, near,
           [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
-            const Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
+            Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
+            volume *= ones_below(j, table.first_image);
             moments.add(pair, volume);
             sum.add(pair, volume, other - own);
           });
@@ -345,7 +349,7 @@ void WeaklyCompressibleScheme<Dim>::find_rates() {
               volume = sources.w;
               auto gradients = components<Dim>(sources);
               for (int d = 0; d < Dim; ++d) gradients.x[d] += own_gradient.x[d];
-              diffusion.add(pair, volume, other - own, gradients);
+              diffusion.add(pair, volume * ones_below(j, table.first_image), other - own, gradients);
             } else {
               if (near.near_object) volume = gather_rows(table.source.data(), j).w;
               if constexpr (D == Diffusion::Plain) diffusion.add(pair, volume, other - own);

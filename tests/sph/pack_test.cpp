@@ -137,6 +137,13 @@ TEST(Pack, GatheredRowsAreThoseOfTheTable) {
   }
 }
 
+TEST(Pack, HasOnesWhereTheIndexIsBelowTheLimit) {
+  const std::array<std::uint32_t, kPackWidth> index = {17, 3, 99, 0, 16, 42, 18, 2'000'000'000};
+  const Pack ones = ones_below(index.data(), 18);
+  const std::array<float, kPackWidth> expected = {1.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F, 0.0F, 0.0F};
+  for (std::size_t lane = 0; lane < kPackWidth; ++lane) EXPECT_EQ(ones[lane], expected[lane]) << lane;
+}
+
 TEST(Pack, AppendsThoseBelowTheLimitInOrderForEveryPatternOfLanes) {
   const std::array<std::uint32_t, kPackWidth> index = {10, 11, 12, 13, 14, 15, 16, 17};
   for (unsigned pattern = 0; pattern < 256; ++pattern) {
