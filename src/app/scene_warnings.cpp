@@ -163,10 +163,10 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
     warn_of_thin_solid(warnings, scene, "obstacle", obstacle.name, obstacle.shape);
   }
   for (const Gate& gate : scene.gates) warn_of_thin_solid(warnings, scene, "gate", gate.name, gate.shape);
-  if (scene.scheme.name == "eisph" || scene.scheme.name == "isph") {
-    warn_of_time_step(warnings, scene, plan);
-  } else {
+  if (scene.scheme.weakly_compressible()) {
     warn_of_courant(warnings, scene, plan);
+  } else {
+    warn_of_time_step(warnings, scene, plan);
   }
   warn_of_negative_pressure(warnings, scene);
 

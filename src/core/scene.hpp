@@ -139,6 +139,9 @@ struct SchemeSettings {
   double pressure_tolerance = 1e-3;  ///< of the residual, relative to that of no pressure
   int pressure_iterations = 500;     ///< most of them in a step
 
+  /// Whether the pressure follows from the density; then the Courant number sets the time step, not phi.
+  [[nodiscard]] bool weakly_compressible() const { return name == "wcsph" || name == "delta_sph"; }
+
   bool operator==(const SchemeSettings&) const = default;
 };
 

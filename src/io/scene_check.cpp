@@ -90,7 +90,7 @@ void check_times(const Scene& scene, const TomlSource& source) {
 void check_scheme(const Scene& scene, const TomlSource& source) {
   const SchemeSettings& scheme = scene.scheme;
   if (scheme.name == "shallow_water") return;
-  const bool weakly_compressible = scheme.name == "wcsph" || scheme.name == "delta_sph";
+  const bool weakly_compressible = scheme.weakly_compressible();
   const bool several_stages =
       scheme.stepping == Stepping::PredictorCorrector || scheme.stepping == Stepping::RungeKutta;
   if (weakly_compressible && scheme.stepping == Stepping::Thesis) {

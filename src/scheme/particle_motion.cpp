@@ -142,11 +142,11 @@ void ParticleMotion<Dim>::throw_blow_up(const ParticleSystem<Dim>& particles, co
   const Vec3d velocity = particles.scene_vector(block.bad_velocity);
   throw BlowUpError(fmt::format(
       "the run blew up at t = {:.6g} s, step {} (time step {:.4g} s): particle {} at ({:.5g}, {:.5g}, "
-      "{:.5g}) m "
-      "has velocity ({:.4g}, {:.4g}, {:.4g}) m/s; speeds up to {:.4g} m/s are taken as physical. A smaller "
-      "time step (scheme.phi or scheme.time_step) is the usual cure.",
+      "{:.5g}) m has velocity ({:.4g}, {:.4g}, {:.4g}) m/s; speeds up to {:.4g} m/s are taken as physical. A "
+      "smaller time step ({} or scheme.time_step) is the usual cure.",
       step.time, step.number, step.time_step, particles.id[block.bad_row], place.x(), place.y(), place.z(),
-      velocity.x(), velocity.y(), velocity.z(), speed_limit_));
+      velocity.x(), velocity.y(), velocity.z(), speed_limit_,
+      particles.scene.scheme.weakly_compressible() ? "scheme.courant" : "scheme.phi"));
 }
 
 template <int Dim>

@@ -54,7 +54,7 @@ TEST(Stability, TellsAStableRunFromABlowUp) {
       hard_scene("hard/wall_impact", {"particles.spacing=0.04", "scheme.name=wcsph", "scheme.courant=4.0"}),
       1, never);
   EXPECT_EQ(outcome.stability, Stability::BlownUp);
-  EXPECT_THAT(outcome.reason, AllOf(HasSubstr("t = "), HasSubstr("particle")));
+  EXPECT_THAT(outcome.reason, AllOf(HasSubstr("t = "), HasSubstr("particle"), HasSubstr("scheme.courant")));
   EXPECT_LT(outcome.time, 1.5);
 }
 
@@ -88,6 +88,21 @@ TEST(Stability, WritesTablesMapsAndAReport) {
   EXPECT_THAT(text_of(options.out / "atlas.json"), HasSubstr("\"outcome\": \"blown up\""));
   EXPECT_THAT(text_of(options.out / "report.html"), HasSubstr("Where the schemes are stable"));
   EXPECT_TRUE(std::filesystem::exists(options.out / "EISPHthesis.png"));
+}
+
+TEST(Stability, RunsOnlyTheSchemesAskedFor) {
+  const TemporaryFolder folder;
+  StabilityOptions options;
+  options.cases = {"narrow_gap"};
+  options.only = {"WCSPH"};
+  options.out = folder.path() / "atlas";
+  std::ostringstream out;
+  EXPECT_EQ(stability_command(options, out), 0);
+  const std::string csv = text_of(options.out / "atlas.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2) << "one scheme at two time steps";
+  EXPECT_THAT(csv, testing::Not(HasSubstr("EISPH")));
+  options.only = {"upwind"};
+  EXPECT_THROW(static_cast<void>(stability_command(options, out)), InputError);
 }
 
 TEST(Stability, NamesTheCasesItKnows) {
