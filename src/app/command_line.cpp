@@ -55,6 +55,12 @@ void add_threads(CLI::App& app, int& threads) {
       ->capture_default_str();
 }
 
+void add_context(CLI::App& app, std::string& context) {
+  app.add_option("--context", context, "What draws: auto, osmesa, egl (no display) or window")
+      ->type_name("KIND")
+      ->capture_default_str();
+}
+
 /// Prints a reference instead of carrying the command out.
 void print_instead(CommandLine& line, std::string (*text)()) {
   line.command = [text] {
@@ -73,6 +79,7 @@ void add_run(CLI::App& app, CommandLine& line) {
   command->add_flag("--quiet", line.run.quiet, "Print nothing but errors");
   command->add_flag_callback(
       "--no-frames", [&line] { line.run.frames = false; }, "Draw no frames; the result is the same");
+  add_context(*command, line.run.context);
   command->callback(
       [&line] { line.command = [&line] { return run_command(line.run, std::cout, std::cerr); }; });
 }
@@ -103,6 +110,7 @@ void add_render(CLI::App& app, CommandLine& line) {
       ->allow_extra_args(false);
   command->add_option("--out", line.render.out, "Folder of the frames [RUN_FOLDER/rendered]")
       ->type_name("DIR");
+  add_context(*command, line.render.context);
   command->callback([&line] { line.command = [&line] { return render_command(line.render, std::cout); }; });
 }
 

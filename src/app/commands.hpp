@@ -20,6 +20,7 @@ struct RunOptions {
   std::optional<double> until;               ///< s, earlier end
   bool quiet = false;
   bool frames = true;
+  std::string context = "auto";  ///< of the frames: auto, osmesa, egl or window
 };
 
 /// Simulates a scene and writes its outputs. Progress goes to `progress`, the report at the end to `out`.
@@ -41,6 +42,7 @@ struct RenderOptions {
   std::vector<std::string> overrides;
   std::vector<double> times;                 ///< s; empty: all saved states
   std::optional<std::filesystem::path> out;  ///< default <run folder>/rendered
+  std::string context = "auto";              ///< auto, osmesa, egl or window
 };
 
 /// Draws frames from the saved states of a run.

@@ -7,7 +7,8 @@
 
 namespace eisph {
 
-FrameStage::FrameStage(const Scene& scene) : images_(scene.images), depth_builder_(scene), renderer_(scene) {}
+FrameStage::FrameStage(const Scene& scene, ContextKind context)
+    : images_(scene.images), depth_builder_(scene), renderer_(scene, {.context = context}) {}
 
 Image FrameStage::draw(const Snapshot& snapshot, std::size_t image) {
   const ImageSettings& settings = images_.at(image);

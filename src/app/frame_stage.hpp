@@ -6,13 +6,19 @@
 #include "render/frame_renderer.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace eisph {
 
 /// Draws the frames of a scene. Made, used and destroyed on one thread, which holds the drawing context.
 class FrameStage {
  public:
-  explicit FrameStage(const Scene& scene);
+  /// Throws InputError when `context` cannot be had.
+  explicit FrameStage(const Scene& scene, ContextKind context = ContextKind::Automatic);
+
+  /// What draws the particles; empty if no image shows them.
+  [[nodiscard]] std::string context_description() const { return renderer_.context_description(); }
 
   /// Draws Scene::images[image].
   [[nodiscard]] Image draw(const Snapshot& snapshot, std::size_t image);

@@ -16,7 +16,7 @@ namespace eisph {
 namespace {
 
 PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan,
-                           const InSituSettings& settings) {
+                           const InSituSettings& settings, spdlog::logger& log) {
   PipelineStages stages;
   if (plan.has_records() || plan.has_frames()) {
     stages.make_write = [&scene, &files, &settings] {
@@ -28,8 +28,10 @@ PipelineStages make_stages(const Scene& scene, const RunFiles& files, const Outp
     };
   }
   if (!plan.has_frames()) return stages;
-  stages.make_draw = [&scene] {
-    auto stage = std::make_shared<FrameStage>(scene);
+  stages.make_draw = [&scene, &settings, &log] {
+    auto stage = std::make_shared<FrameStage>(scene, settings.context);
+    const std::string context = stage->context_description();
+    if (!context.empty()) log.info("frames are drawn by {}", context);
     return [&scene, stage](const Snapshot& snapshot, const DueFrame& due) {
       return Frame{frame_file_name(scene.images[due.image].name, due.index), snapshot.time,
                    stage->draw(snapshot, due.image)};
@@ -100,7 +102,7 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
                        const std::function<bool()>& stop_requested) {
   const OutputPlan plan(scene, settings.frames);
   const QueuePolicy policy = scene.output.latest_frame_only ? QueuePolicy::LatestOnly : QueuePolicy::KeepAll;
-  Pipeline pipeline(make_stages(scene, files, plan, settings),
+  Pipeline pipeline(make_stages(scene, files, plan, settings, log),
                     static_cast<std::size_t>(scene.output.queue_length), policy);
 
   std::string status = "finished";

@@ -4,6 +4,7 @@
 #include "app/run_files.hpp"
 #include "core/run_summary.hpp"
 #include "core/scene.hpp"
+#include "render/gl_context.hpp"
 #include "scheme/simulation.hpp"
 
 #include <functional>
@@ -16,6 +17,7 @@ namespace eisph {
 struct InSituSettings {
   double end_time = 0.0;  ///< s
   bool frames = true;
+  ContextKind context = ContextKind::Automatic;  ///< of the frames
   /// Is handed every published state, on the thread of the simulation; may be empty.
   std::function<void(const std::shared_ptr<const Snapshot>&)> observer = {};
   /// Is handed the states at the times of Scene::output.comparison, on the thread that records; may be empty.

@@ -57,9 +57,9 @@ int render_command(const RenderOptions& options, std::ostream& out) {
   const std::vector<std::size_t> images = chosen_images(scene, options.images);
   const std::vector<SavedState> states = select_states(saved_states(files), options.times);
   const std::filesystem::path folder = options.out.value_or(files.rendered());
+  FrameStage stage(scene, context_kind(options.context));
   create_folder(folder);
 
-  FrameStage stage(scene);
   std::size_t written = 0;
   for (const SavedState& state : states) {
     const Snapshot snapshot = read_state(state);
@@ -69,7 +69,9 @@ int render_command(const RenderOptions& options, std::ostream& out) {
       ++written;
     }
   }
-  fmt::print(out, "{} frames in {}\n", written, folder.string());
+  const std::string context = stage.context_description();
+  fmt::print(out, "{} frames in {}{}\n", written, folder.string(),
+             context.empty() ? "" : fmt::format(", drawn by {}", context));
   return kSuccess;
 }
 

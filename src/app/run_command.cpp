@@ -64,14 +64,19 @@ int run_command(const RunOptions& options, std::ostream& out, std::ostream& prog
   const InterruptWatcher interrupt;
   Scene scene = load_scene(options.scene, options.overrides);
   const double end_time = end_time_of(scene, options);
+  const ContextKind context = context_kind(options.context);
   const RunFiles files{options.out.value_or(std::filesystem::path("out") / scene.name)};
   check_run_folder(files, scene.name);
   InSituComparison comparison(scene, files.folder / "comparison");
   ProgressReporter progress(progress_out, progress_style_of_terminal(options.quiet), terminal_width());
-  const RunSummary summary = run_scene(
-      scene, files,
-      {.end_time = end_time, .frames = options.frames, .observer = {}, .compare = comparison.observer()},
-      options.threads, progress, [&interrupt] { return interrupt.requested(); });
+  const RunSummary summary =
+      run_scene(scene, files,
+                {.end_time = end_time,
+                 .frames = options.frames,
+                 .context = context,
+                 .observer = {},
+                 .compare = comparison.observer()},
+                options.threads, progress, [&interrupt] { return interrupt.requested(); });
   comparison.finish();
   if (!options.quiet) {
     print_summary(out, summary, files);

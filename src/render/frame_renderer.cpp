@@ -43,6 +43,10 @@ class FrameRenderer::Parts {
     if (std::any_of(scene.images.begin(), scene.images.end(), particles)) particle_picture();
   }
 
+  [[nodiscard]] std::string context_description() {
+    return particle_picture_ ? particle_picture_->context_description() : std::string();
+  }
+
   Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
     const FieldScale scale = field_scale(scene_, settings);
     const Palette colours = palette(settings.dark_background);
@@ -70,7 +74,7 @@ class FrameRenderer::Parts {
 
  private:
   ParticlePicture& particle_picture() {
-    if (!particle_picture_) particle_picture_.emplace(scene_, create_offscreen_context(), options_);
+    if (!particle_picture_) particle_picture_.emplace(scene_, create_context(options_.context), options_);
     return *particle_picture_;
   }
 
@@ -146,6 +150,8 @@ FrameRenderer::FrameRenderer(const Scene& scene, const ParticlePictureOptions& o
     : parts_(std::make_unique<Parts>(scene, options)) {}
 
 FrameRenderer::~FrameRenderer() = default;
+
+std::string FrameRenderer::context_description() const { return parts_->context_description(); }
 
 Image FrameRenderer::draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
   return parts_->draw(settings, snapshot, depth);

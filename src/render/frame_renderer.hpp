@@ -8,6 +8,7 @@
 #include "render/renderer_threads.hpp"
 
 #include <memory>
+#include <string>
 
 namespace eisph {
 
@@ -15,7 +16,7 @@ namespace eisph {
 /// different threads. Owns its graphics context.
 class FrameRenderer {
  public:
-  /// Throws InputError when the software renderer, a shader or the font is missing. The graphics context is
+  /// Throws InputError when the graphics context, a shader or the font is missing. The graphics context is
   /// made here if an image of the scene needs it, otherwise when a particle picture is first asked for.
   explicit FrameRenderer(const Scene& scene, const ParticlePictureOptions& options = {});
   FrameRenderer(const FrameRenderer&) = delete;
@@ -25,6 +26,9 @@ class FrameRenderer {
   /// One frame: the picture with title, time, colour bar and length scale. The settings need not be among the
   /// scene's. Throws InputError for settings that cannot be drawn.
   Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth);
+
+  /// What draws the particles, for logs; empty as long as nothing does.
+  [[nodiscard]] std::string context_description() const;
 
  private:
   class Parts;

@@ -115,11 +115,4 @@ void OsMesaContext::make_current() {
   }
 }
 
-std::string OsMesaContext::description() const {
-  const auto text = [this](GLenum name) { return reinterpret_cast<const char*>(functions_.GetString(name)); };
-  return fmt::format("{}, {}", text(GL_RENDERER), text(GL_VERSION));
-}
-
-std::unique_ptr<GlContext> create_offscreen_context() { return std::make_unique<OsMesaContext>(); }
-
 }  // namespace eisph

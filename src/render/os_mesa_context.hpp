@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <string>
 
 namespace eisph {
 
@@ -21,7 +20,7 @@ class OsMesaContext final : public GlContext {
 
   void make_current() override;
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] ContextKind kind() const override { return ContextKind::OsMesa; }
 
  private:
   struct Library;

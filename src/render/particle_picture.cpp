@@ -43,6 +43,11 @@ ParticlePicture::ParticlePicture(const Scene& scene, std::unique_ptr<GlContext> 
 
 ParticlePicture::~ParticlePicture() { context_->make_current(); }
 
+std::string ParticlePicture::context_description() const {
+  context_->make_current();
+  return context_->description();
+}
+
 Image ParticlePicture::draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
                             const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
                             const FieldScale& scale) {

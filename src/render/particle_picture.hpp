@@ -16,6 +16,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace eisph {
@@ -32,6 +33,8 @@ class ParticlePicture {
   /// Image of width x height pixels as `camera` sees it. `map` spans the scale.
   Image draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
              const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map, const FieldScale& scale);
+
+  [[nodiscard]] std::string context_description() const;
 
   /// Spacing of the lines on the floor, m.
   [[nodiscard]] double grid_spacing() const { return grid_spacing_; }

@@ -1,11 +1,14 @@
 #include "core/assets.hpp"
 #include "core/error.hpp"
+#include "render/egl_context.hpp"
 #include "render/frame_renderer.hpp"
+#include "render/gl_window.hpp"
 #include "render/offscreen_target.hpp"
 #include "render/os_mesa_context.hpp"
 #include "render/shader_program.hpp"
 #include "render/synthetic_scene.hpp"
 #include "render/temporary_folder.hpp"
+#include "render/virtual_display.hpp"
 
 #include <fstream>
 
@@ -21,6 +24,43 @@ using ::testing::ThrowsMessage;
 TEST(OsMesaContext, AMissingLibraryNamesThePackage) {
   EXPECT_THAT([] { OsMesaContext context("libno_such_mesa.so.1"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("libno_such_mesa.so.1"), HasSubstr("libosmesa6"))));
+}
+
+TEST(EglContext, AMissingLibraryNamesThePackages) {
+  EXPECT_THAT([] { EglContext context("libno_such_egl.so.1"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("libno_such_egl.so.1"), HasSubstr("libegl-mesa0"))));
+}
+
+TEST(GlWindow, AMissingDisplayNamesTheOtherContexts) {
+  const WithoutDisplay nothing;
+  EXPECT_THAT([] { GlWindow window(WindowSettings{}); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("--context osmesa or egl"), HasSubstr("xvfb"))));
+}
+
+TEST(GlContext, HasANameForEveryKind) {
+  for (const auto kind :
+       {ContextKind::Automatic, ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window}) {
+    EXPECT_EQ(context_kind(context_name(kind)), kind);
+  }
+  EXPECT_THAT([] { static_cast<void>(context_kind("glut")); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("glut"), HasSubstr("osmesa"), HasSubstr("egl"))));
+}
+
+TEST(GlContext, EveryKindDrawsIntoMemory) {
+  const VirtualDisplay display;
+  for (const auto kind :
+       {ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window, ContextKind::Automatic}) {
+    const auto context = create_context(kind);
+    const auto name = std::string(context_name(kind));
+    context->make_current();
+    if (kind != ContextKind::Automatic) {
+      EXPECT_EQ(context->kind(), kind);
+      EXPECT_THAT(context->description(), AllOf(HasSubstr(name + ": "), HasSubstr("OpenGL ")));
+    }
+    const OffscreenTarget target(context->functions(), 4, 4);
+    target.begin({0.0F, 1.0F, 0.0F});
+    EXPECT_EQ(target.read().rgb[1], 255) << name;
+  }
 }
 
 TEST(OsMesaContext, TwoOnOneThreadDrawApart) {

@@ -3,6 +3,7 @@
 #include "render/frame_renderer.hpp"
 #include "render/golden.hpp"
 #include "render/synthetic_scene.hpp"
+#include "render/virtual_display.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -52,6 +53,17 @@ class GoldenFrame : public ::testing::Test {
 };
 
 TEST_F(GoldenFrame, ParticlesInPerspective) { expect_golden("perspective", draw(furnished_tank(), small())); }
+
+TEST_F(GoldenFrame, ParticlesInPerspectiveByEveryContext) {
+  const VirtualDisplay display;
+  const synthetic::State state = furnished_tank();
+  for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window}) {
+    SCOPED_TRACE(context_name(kind));
+    FrameRenderer renderer(state.scene, {.context = kind});
+    expect_golden("perspective", renderer.draw(small(), state.snapshot, state.depth));
+    EXPECT_THAT(renderer.context_description(), testing::HasSubstr(std::string(context_name(kind))));
+  }
+}
 
 TEST_F(GoldenFrame, ParticlesFromAGivenCameraOnADarkPage) {
   ImageSettings settings = small();
