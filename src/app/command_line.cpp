@@ -26,6 +26,7 @@ struct CommandLine {
   RunOptions run;
   CheckOptions check;
   RenderOptions render;
+  VideoOptions video;
   ValidateOptions validate;
   ParetoOptions pareto;
   StabilityOptions stability;
@@ -112,6 +113,23 @@ void add_render(CLI::App& app, CommandLine& line) {
       ->type_name("DIR");
   add_context(*command, line.render.context);
   command->callback([&line] { line.command = [&line] { return render_command(line.render, std::cout); }; });
+}
+
+void add_video(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("video", "Join the frames of a run to H.264 videos, with ffmpeg");
+  VideoOptions& options = line.video;
+  command->add_option("RUN_FOLDER", options.run_folder, "Folder of a run")->required()->type_name("DIR");
+  command->add_option("--image", options.images, "Only the frames of this image; may be given again")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--rate", options.rate, "Frames per second")
+      ->type_name("N")
+      ->check(CLI::Range(0.1, 240.0))
+      ->capture_default_str();
+  command->add_option("--frames", options.frames, "Folder of the frames [RUN_FOLDER/frames]")
+      ->type_name("DIR");
+  command->add_option("--out", options.out, "Folder of the videos [that of the frames]")->type_name("DIR");
+  command->callback([&line] { line.command = [&line] { return video_command(line.video, std::cout); }; });
 }
 
 void add_validate(CLI::App& app, CommandLine& line) {
@@ -241,6 +259,7 @@ int run_program(int argc, const char* const* argv) {
     add_run(app, line);
     add_check(app, line);
     add_render(app, line);
+    add_video(app, line);
     add_validate(app, line);
     add_pareto(app, line);
     add_stability(app, line);

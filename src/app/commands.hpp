@@ -48,6 +48,17 @@ struct RenderOptions {
 /// Draws frames from the saved states of a run.
 [[nodiscard]] int render_command(const RenderOptions& options, std::ostream& out);
 
+struct VideoOptions {
+  std::filesystem::path run_folder;
+  std::optional<std::filesystem::path> frames;  ///< folder of the frames, default <run folder>/frames
+  std::vector<std::string> images;              ///< names; empty: all
+  double rate = 25.0;                           ///< frames per second
+  std::optional<std::filesystem::path> out;     ///< folder of the videos, default that of the frames
+};
+
+/// Joins the frames of a run to videos. Throws InputError if there are none, or no ffmpeg.
+[[nodiscard]] int video_command(const VideoOptions& options, std::ostream& out);
+
 struct ValidateOptions {
   std::vector<std::string> cases;  ///< names; empty: all of the mode
   bool quick = false;              ///< short runs; the default

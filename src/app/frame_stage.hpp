@@ -20,10 +20,13 @@ class FrameStage {
   /// What draws the particles; empty if no image shows them.
   [[nodiscard]] std::string context_description() const { return renderer_.context_description(); }
 
-  /// Draws Scene::images[image].
-  [[nodiscard]] Image draw(const Snapshot& snapshot, std::size_t image);
+  /// Draws Scene::images[image]; `curves` are those of its gauges.
+  [[nodiscard]] Image draw(const Snapshot& snapshot, std::size_t image,
+                           const std::vector<GaugeCurve>& curves = {});
 
  private:
+  [[nodiscard]] bool needs_depth(const ImageSettings& settings) const;
+
   std::vector<ImageSettings> images_;
   DepthGridBuilder depth_builder_;
   FrameRenderer renderer_;

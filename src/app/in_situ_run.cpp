@@ -1,6 +1,7 @@
 #include "app/in_situ_run.hpp"
 
 #include "app/frame_stage.hpp"
+#include "app/gauge_history.hpp"
 #include "app/output_plan.hpp"
 #include "app/pipeline.hpp"
 #include "app/record_stage.hpp"
@@ -11,6 +12,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 namespace eisph {
 namespace {
@@ -18,23 +20,32 @@ namespace {
 PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan,
                            const InSituSettings& settings, spdlog::logger& log) {
   PipelineStages stages;
+  std::shared_ptr<GaugeHistory> history;
+  if (plan.has_frames() && draws_gauges(scene)) history = std::make_shared<GaugeHistory>(scene);
   if (plan.has_records() || plan.has_frames()) {
-    stages.make_write = [&scene, &files, &settings] {
-      auto stage = std::make_shared<RecordStage>(scene, files);
-      return [stage, &settings](const Publication& publication) {
+    stages.make_write = [&scene, &files, &settings, history] {
+      // However this thread ends, the one that draws does not wait for more.
+      const std::shared_ptr<void> closing(nullptr, [history](void*) {
+        if (history) history->close();
+      });
+      auto stage = std::make_shared<RecordStage>(scene, files, history.get());
+      return [stage, &settings, closing](const Publication& publication) {
         stage->write(publication);
         if (publication.due.comparison && settings.compare) settings.compare(*publication.snapshot);
       };
     };
   }
   if (!plan.has_frames()) return stages;
-  stages.make_draw = [&scene, &settings, &log] {
+  stages.make_draw = [&scene, &settings, &log, history] {
     auto stage = std::make_shared<FrameStage>(scene, settings.context);
     const std::string context = stage->context_description();
     if (!context.empty()) log.info("frames are drawn by {}", context);
-    return [&scene, stage](const Snapshot& snapshot, const DueFrame& due) {
-      return Frame{frame_file_name(scene.images[due.image].name, due.index), snapshot.time,
-                   stage->draw(snapshot, due.image)};
+    return [&scene, stage, history](const Snapshot& snapshot, const DueFrame& due) {
+      const ImageSettings& image = scene.images[due.image];
+      std::vector<GaugeCurve> curves;
+      if (!image.gauges.empty()) curves = history->up_to(snapshot.time, image.gauges);
+      return Frame{frame_file_name(image.name, due.index), snapshot.time,
+                   stage->draw(snapshot, due.image, curves)};
     };
   };
   stages.make_encode = [&scene, &files] {

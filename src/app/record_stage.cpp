@@ -7,10 +7,12 @@
 
 namespace eisph {
 
-RecordStage::RecordStage(const Scene& scene, RunFiles files)
+RecordStage::RecordStage(const Scene& scene, RunFiles files, GaugeHistory* history)
     : files_(std::move(files)),
       tables_(files_.folder),
-      probes_(scene, tables_),
+      tap_(history, tables_),
+      history_(history),
+      probes_(scene, tap_),
       depth_builder_(scene),
       particles_index_(files_.particles_collection()),
       objects_index_(files_.objects_collection()),
@@ -22,6 +24,7 @@ RecordStage::RecordStage(const Scene& scene, RunFiles files)
 void RecordStage::write(const Publication& publication) {
   const Snapshot& snapshot = *publication.snapshot;
   probes_.record(snapshot);
+  if (history_ != nullptr) history_->advance(snapshot.time);
   if (publication.due.particles) write_state(snapshot);
   if (publication.due.depth) write_depth_grid(snapshot);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/gauge_history.hpp"
 #include "app/pipeline.hpp"
 #include "app/run_files.hpp"
 #include "core/scene.hpp"
@@ -18,7 +19,8 @@ namespace eisph {
 /// Used by one thread.
 class RecordStage {
  public:
-  RecordStage(const Scene& scene, RunFiles files);
+  /// `history`, if there is one, is told of the gauges' records too.
+  RecordStage(const Scene& scene, RunFiles files, GaugeHistory* history = nullptr);
 
   void write(const Publication& publication);
 
@@ -29,6 +31,8 @@ class RecordStage {
 
   RunFiles files_;
   CsvFolder tables_;
+  GaugeHistory::Tap tap_;
+  GaugeHistory* history_;
   ProbeSet probes_;
   DepthGridBuilder depth_builder_;
   PvdCollection particles_index_;

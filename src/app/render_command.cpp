@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/frame_stage.hpp"
+#include "app/gauge_history.hpp"
 #include "app/output_plan.hpp"
 #include "app/run_files.hpp"
 #include "app/saved_states.hpp"
@@ -65,7 +66,8 @@ int render_command(const RenderOptions& options, std::ostream& out) {
     const Snapshot snapshot = read_state(state);
     for (const std::size_t image : images) {
       const std::string name = file_name(scene.images[image], snapshot.time);
-      write_frame(folder, scene, {name, snapshot.time, stage.draw(snapshot, image)});
+      const std::vector<GaugeCurve> curves = read_gauge_curves(files, scene.images[image].gauges);
+      write_frame(folder, scene, {name, snapshot.time, stage.draw(snapshot, image, curves)});
       ++written;
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace eisph {
 namespace {
@@ -28,12 +29,20 @@ class Report {
 
 std::string megabytes(double bytes) { return fmt::format("{:.3g} MB", bytes / 1e6); }
 
+std::string content(const ImageSettings& image) {
+  if (image.kind == ImageKind::DepthMap) return "depth map, " + image.field;
+  if (image.kind == ImageKind::Particles)
+    return (image.style == WaterStyle::Surface ? "surface, " : "particles, ") + image.field;
+  std::vector<std::string> parts = image.panels;
+  parts.insert(parts.end(), image.gauges.begin(), image.gauges.end());
+  return fmt::format("panels {}", fmt::join(parts, ", "));
+}
+
 void add_frames(Report& report, const Scene& scene, const OutputCounts& counts) {
   for (std::size_t k = 0; k < scene.images.size(); ++k) {
     const ImageSettings& image = scene.images[k];
-    const char* kind = image.kind == ImageKind::DepthMap ? "depth map" : "particles";
-    report.row(k == 0 ? "frames" : "", fmt::format("{} of \"{}\": {}, {}, {} x {}", counts.frames[k],
-                                                   image.name, kind, image.field, image.width, image.height));
+    report.row(k == 0 ? "frames" : "", fmt::format("{} of \"{}\": {}, {} x {}", counts.frames[k], image.name,
+                                                   content(image), image.width, image.height));
   }
   if (scene.images.empty()) report.row("frames", "none");
 }

@@ -194,15 +194,20 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-enum class ImageKind { Particles, DepthMap };
+enum class ImageKind { Particles, DepthMap, Panels };
+/// What a particle picture makes of the water.
+enum class WaterStyle { Spheres, Surface };
 
 /// One sequence of frames.
 struct ImageSettings {
   std::string name;
   ImageKind kind = ImageKind::Particles;
+  std::string caption;  ///< a text below the picture; empty: none
   int width = 1280;
   int height = 720;
-  /// particles: speed, velocity_x, velocity_y, velocity_z, pressure, depth, kind. Depth maps: depth.
+  WaterStyle style = WaterStyle::Spheres;  ///< particles, three dimensions
+  /// particles: speed, velocity_x, velocity_y, velocity_z, pressure, depth; kind (spheres only); water: no
+  /// field (surface only). Depth maps: depth.
   std::string field = "speed";
   std::string colour_map = "viridis";          ///< a table in assets/colour_maps, or "grey_depth"
   std::optional<std::array<double, 2>> range;  ///< of the colour bar, field units; default: automatic
@@ -211,7 +216,12 @@ struct ImageSettings {
   bool mirror = false;                         ///< depth map: draw the mirror image across symmetry planes
   bool draw_walls = true;
   bool draw_obstacles = true;
+  bool glass = true;  ///< particles, three dimensions: walls are panes of glass, not mere outlines
+  bool shadow =
+      true;  ///< particles, three dimensions: water and solids darken the floor below and beside them
   bool dark_background = false;
+  std::vector<std::string> panels;  ///< of panels: the images in it, by name
+  std::vector<std::string> gauges;  ///< of panels: the gauges whose surface is drawn over time
   Schedule schedule;
 
   bool operator==(const ImageSettings&) const = default;

@@ -145,6 +145,43 @@ void check_camera(const Camera& camera, const std::string& path, const TomlSourc
   }
 }
 
+/// What a picture of several panels is made of.
+void check_panels(const Scene& scene, const ImageSettings& image, const std::string& path,
+                  const TomlSource& source) {
+  std::vector<std::string> images;
+  for (const ImageSettings& other : scene.images) {
+    if (other.kind != ImageKind::Panels) images.push_back(other.name);
+  }
+  std::vector<std::string> gauges;
+  for (const Gauge& gauge : scene.gauges) gauges.push_back(gauge.name);
+  const auto check = [&](const char* key, const std::vector<std::string>& names,
+                         const std::vector<std::string>& known, const char* what) {
+    for (const std::string& name : names) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      source.fail(path + "." + key, write_text(name),
+                  fmt::format("the scene has no such {}; expected some of: {}", what,
+                              known.empty() ? "(none)" : fmt::format("{}", fmt::join(known, ", "))));
+    }
+  };
+  if (image.panels.empty()) {
+    source.fail(path + ".panels", fmt::format("missing or empty; expected names of images, some of: {}",
+                                              fmt::join(images, ", ")));
+  }
+  check("panels", image.panels, images, "image that can be a panel");
+  check("gauges", image.gauges, gauges, "gauge");
+}
+
+/// Fields that only one of the two looks of water has.
+void check_style(const ImageSettings& image, const std::string& path, const TomlSource& source) {
+  const bool surface = image.style == WaterStyle::Surface;
+  if (surface && image.field == "kind")
+    source.fail(path + ".field", write_text(image.field),
+                "the surface is of water alone; expected another field, or style = \"particles\"");
+  if (!surface && image.field == "water")
+    source.fail(path + ".field", write_text(image.field),
+                "spheres show a field; expected another one, or style = \"surface\"");
+}
+
 void check_images(const Scene& scene, const TomlSource& source) {
   const std::vector<std::string> colour_maps = colour_map_names();
   for (std::size_t k = 0; k < scene.images.size(); ++k) {
@@ -153,6 +190,8 @@ void check_images(const Scene& scene, const TomlSource& source) {
     if (image.kind == ImageKind::DepthMap && scene.dimension == 2) {
       source.fail(path + ".kind", "a depth map needs dimension = 3; expected \"particles\"");
     }
+    if (image.kind == ImageKind::Panels) check_panels(scene, image, path, source);
+    check_style(image, path, source);
     if (image.field == "velocity_y" && scene.dimension == 2) {
       source.fail(path + ".field", "a 2D scene has no y; expected another field");
     }
@@ -161,6 +200,11 @@ void check_images(const Scene& scene, const TomlSource& source) {
                   fmt::format("unknown colour map; expected one of {}", fmt::join(colour_maps, ", ")));
     }
     if (!image.camera) continue;
+    if (image.kind == ImageKind::Panels) {
+      source.fail(path + ".camera",
+                  "each panel has the camera of its own image; camera is only accepted with kind = "
+                  "\"particles\"");
+    }
     if (image.kind == ImageKind::DepthMap) {
       source.fail(path + ".camera",
                   "a depth map is seen from above; camera is only accepted with kind = \"particles\"");

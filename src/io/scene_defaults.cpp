@@ -72,6 +72,8 @@ void complete_schedules(Scene& scene, const TomlSource& source) {
 void complete_images(Scene& scene, const TomlSource& source) {
   for (std::size_t k = 0; k < scene.images.size(); ++k) {
     ImageSettings& image = scene.images[k];
+    if (image.style == WaterStyle::Surface && !source.given(fmt::format("image.{}.field", k)))
+      image.field = "water";
     if (image.kind != ImageKind::DepthMap) continue;
     image.field = "depth";
     if (!source.given(fmt::format("image.{}.colour_map", k))) image.colour_map = "depth_blue";

@@ -24,6 +24,16 @@ std::string write_degrees(double angle) {
   return write_number(angle * 180.0 / std::numbers::pi);
 }
 
+/// A list of names.
+template <class Owner>
+Key<Owner>& add_names(KeyTable<Owner>& keys, const std::string& name, std::vector<std::string> Owner::*field,
+                      const std::string& meaning) {
+  return keys.add(
+      {.name = name, .type = "a list of names", .meaning = meaning},
+      [=](const toml::node& node, int, Owner& owner) { return read_names(node, owner.*field); },
+      [=](const Owner& owner, int) { return write_names(owner.*field); });
+}
+
 /// Keys of the shape that an owner has as its member `shape`.
 template <class Owner>
 void add_shape_keys(KeyTable<Owner>& keys) {
@@ -241,50 +251,83 @@ KeyTable<ImageSettings> image_keys() {
   const auto is = [](ImageKind wanted) {
     return [=](const ImageSettings& image, int) { return image.kind == wanted; };
   };
+  const auto is_not_panels = [](const ImageSettings& image, int) { return image.kind != ImageKind::Panels; };
+  const auto is_space = [](const ImageSettings& image, int dimension) {
+    return image.kind == ImageKind::Particles && dimension == 3;
+  };
   const std::string particles = "with kind = \"particles\"";
   const std::string depth_map = "with kind = \"depth_map\"";
+  const std::string panels = "with kind = \"panels\"";
+  const std::string not_panels = "with kind = \"particles\" or \"depth_map\"";
+  const std::string space = particles + " in 3D";
   keys.identifier("name", &ImageSettings::name, "Name of the sequence, unlike those of all other images.")
       .required();
   keys.choice<ImageKind>("kind", &ImageSettings::kind,
-                         {{"particles", ImageKind::Particles}, {"depth_map", ImageKind::DepthMap}},
-                         "Spheres seen by a camera, or the water depth seen from above (3D only).");
+                         {{"particles", ImageKind::Particles},
+                          {"depth_map", ImageKind::DepthMap},
+                          {"panels", ImageKind::Panels}},
+                         "The water seen by a camera, its depth seen from above (3D only), or several images "
+                         "and gauges in one frame.");
+  keys.string("caption", &ImageSettings::caption, "Text below the picture; empty: none.");
   keys.integer("width", "pixels", &ImageSettings::width, between(16.0, 16384.0), "Width of a frame.");
   keys.integer("height", "pixels", &ImageSettings::height, between(16.0, 16384.0), "Height of a frame.");
+  keys.choice<WaterStyle>("style", &ImageSettings::style,
+                          {{"particles", WaterStyle::Spheres}, {"surface", WaterStyle::Surface}},
+                          "Particles as spheres, or the smooth surface of transparent water.")
+      .when(space, is_space);
   std::vector<std::pair<std::string, std::string>> fields;
-  for (const char* field : {"speed", "velocity_x", "velocity_y", "velocity_z", "pressure", "depth", "kind"}) {
+  for (const char* field :
+       {"speed", "velocity_x", "velocity_y", "velocity_z", "pressure", "depth", "kind", "water"}) {
     fields.emplace_back(field, field);
   }
   keys.choice<std::string>("field", &ImageSettings::field, fields,
-                           "Quantity shown as colour; velocity_y in 3D only.")
+                           "Quantity shown as colour; velocity_y in 3D only, kind with style = "
+                           "\"particles\" only. water: none, with style = \"surface\" only.")
+      .fallback("\"speed\", with style = \"surface\" \"water\"")
       .when(particles, is(ImageKind::Particles));
   keys.string("colour_map", &ImageSettings::colour_map, "A table in assets/colour_maps, or grey_depth.")
-      .fallback("\"viridis\", for depth maps \"depth_blue\"");
+      .fallback("\"viridis\", for depth maps \"depth_blue\"")
+      .when(not_panels, is_not_panels);
   keys.add(
-      {.name = "range",
-       .type = "\"automatic\" or a list of two rising numbers",
-       .unit = "the unit of the field",
-       .meaning = "Ends of the colour bar."},
-      [](const toml::node& node, int, ImageSettings& image) {
-        std::string word;
-        image.range.reset();
-        if (read_text(node, word)) return word == "automatic";
-        std::vector<double> ends;
-        if (!read_ascending(node, any_number(), ends) || ends.size() != 2) return false;
-        image.range = {ends[0], ends[1]};
-        return true;
-      },
-      [](const ImageSettings& image, int) {
-        return image.range ? write_numbers({(*image.range)[0], (*image.range)[1]}) : write_text("automatic");
-      });
+          {.name = "range",
+           .type = "\"automatic\" or a list of two rising numbers",
+           .unit = "the unit of the field",
+           .meaning = "Ends of the colour bar."},
+          [](const toml::node& node, int, ImageSettings& image) {
+            std::string word;
+            image.range.reset();
+            if (read_text(node, word)) return word == "automatic";
+            std::vector<double> ends;
+            if (!read_ascending(node, any_number(), ends) || ends.size() != 2) return false;
+            image.range = {ends[0], ends[1]};
+            return true;
+          },
+          [](const ImageSettings& image, int) {
+            return image.range ? write_numbers({(*image.range)[0], (*image.range)[1]})
+                               : write_text("automatic");
+          })
+      .when(not_panels, is_not_panels);
   keys.number("dry_depth", "m", &ImageSettings::dry_depth, at_least(0.0),
               "Shallower water is drawn as background.")
       .when(depth_map, is(ImageKind::DepthMap));
   keys.boolean("mirror", &ImageSettings::mirror, "Draw the mirror image beyond symmetry planes as well.")
       .when(depth_map, is(ImageKind::DepthMap));
-  keys.boolean("draw_walls", &ImageSettings::draw_walls, "Draw the walls of the domain.");
-  keys.boolean("draw_obstacles", &ImageSettings::draw_obstacles, "Draw obstacles, dam walls and gates.");
+  keys.boolean("draw_walls", &ImageSettings::draw_walls, "Draw the walls of the domain.")
+      .when(not_panels, is_not_panels);
+  keys.boolean("draw_obstacles", &ImageSettings::draw_obstacles, "Draw obstacles, dam walls and gates.")
+      .when(not_panels, is_not_panels);
+  keys.boolean("glass", &ImageSettings::glass, "Draw walls as panes of glass, not only their edges.")
+      .when(space, is_space);
+  keys.boolean("shadow", &ImageSettings::shadow, "Draw the soft shadow of water and solids on the floor.")
+      .when(space, is_space);
   keys.choice<bool>("background", &ImageSettings::dark_background, {{"light", false}, {"dark", true}},
                     "Background.");
+  add_names(keys, "panels", &ImageSettings::panels,
+            "Images to draw in the frame, by name: the first is the large one. At least one.")
+      .when(panels, is(ImageKind::Panels));
+  add_names(keys, "gauges", &ImageSettings::gauges,
+            "Gauges whose free surface is drawn over time up to the present, by name.")
+      .when(panels, is(ImageKind::Panels));
   add_schedule_keys(keys, "", &ImageSettings::schedule, "frames", "without both: as in [output]");
   keys.optional_section(
       "camera", &ImageSettings::camera, camera_keys(),

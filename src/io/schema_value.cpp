@@ -62,6 +62,16 @@ bool read_name(const toml::node& node, std::string& value) {
   return true;
 }
 
+bool read_names(const toml::node& node, std::vector<std::string>& values) {
+  if (!node.is_array()) return false;
+  std::vector<std::string> names;
+  for (const toml::node& element : *node.as_array()) {
+    if (!read_name(element, names.emplace_back())) return false;
+  }
+  values = names;
+  return true;
+}
+
 bool read_numbers(const toml::node& node, std::vector<double>& values) {
   if (!node.is_array()) return false;
   std::vector<double> numbers;
@@ -110,6 +120,12 @@ std::string write_text(const std::string& value) {
     }
   }
   return text + "\"";
+}
+
+std::string write_names(const std::vector<std::string>& values) {
+  std::vector<std::string> texts(values.size());
+  std::transform(values.begin(), values.end(), texts.begin(), write_text);
+  return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
 std::string write_numbers(const std::vector<double>& values) {

@@ -38,6 +38,8 @@ struct NumberRange {
 [[nodiscard]] bool read_text(const toml::node& node, std::string& value);
 /// Letters, digits, "_" and "-": what can be part of a file name.
 [[nodiscard]] bool read_name(const toml::node& node, std::string& value);
+/// A list of names.
+[[nodiscard]] bool read_names(const toml::node& node, std::vector<std::string>& values);
 /// Numbers in range, each above the one before.
 [[nodiscard]] bool read_ascending(const toml::node& node, const NumberRange& range,
                                   std::vector<double>& values);
@@ -49,6 +51,7 @@ struct NumberRange {
 [[nodiscard]] std::string write_number(double value);
 [[nodiscard]] std::string write_bool(bool value);
 [[nodiscard]] std::string write_text(const std::string& value);
+[[nodiscard]] std::string write_names(const std::vector<std::string>& values);
 [[nodiscard]] std::string write_numbers(const std::vector<double>& values);
 [[nodiscard]] std::string write_vector(const Vec3d& value, int dimension);
 

@@ -28,16 +28,17 @@ FieldScale automatic_scale(const Scene& scene, const std::string& field, const s
   }
   if (field == "depth") return {"water depth", 0.0, round_up_nicely(depth)};
   if (field == "kind") return {"particles", 0.0, 1.0};
+  if (field == "water") return {"", 0.0, 1.0};
   throw InputError(fmt::format(
       "{}: image '{}': field = \"{}\"; accepted: speed, velocity_x, velocity_y, velocity_z, pressure, "
-      "depth, kind",
+      "depth, kind, water",
       scene.source_file, image_name, field));
 }
 
 const char* unit_of(const std::string& field, double display_unit) {
   if (field == "pressure") return display_unit > 1.0 ? " (kPa)" : " (Pa)";
   if (field == "depth") return " (m)";
-  return field == "kind" ? "" : " (m/s)";
+  return field == "kind" || field == "water" ? "" : " (m/s)";
 }
 
 float column_depth(const DepthGrid& grid, const Vec3f& position) {

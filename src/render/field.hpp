@@ -20,8 +20,8 @@ struct FieldScale {
 
 /// Scale of settings.field (of depth for a depth map). Without a range in the settings it depends on the
 /// scene alone, so that all frames of a run share it: speeds up to 2 sqrt(g H), velocities symmetric,
-/// pressures up to rho g H, depths up to H, each rounded up. Throws InputError for an unknown field or an
-/// empty range.
+/// pressures up to rho g H, depths up to H, each rounded up. "water" has no label. Throws InputError for an
+/// unknown field or an empty range.
 [[nodiscard]] FieldScale field_scale(const Scene& scene, const ImageSettings& settings);
 
 /// Reference depth of the scene, or the domain's height where it has none, m.

@@ -1,5 +1,6 @@
 #include "render/frame_renderer.hpp"
 
+#include "core/error.hpp"
 #include "render/axis.hpp"
 #include "render/camera_view.hpp"
 #include "render/depth_map.hpp"
@@ -16,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -47,29 +49,11 @@ class FrameRenderer::Parts {
     return particle_picture_ ? particle_picture_->context_description() : std::string();
   }
 
-  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
-    const FieldScale scale = field_scale(scene_, settings);
-    const Palette colours = palette(settings.dark_background);
-    const bool kinds = settings.kind == ImageKind::Particles && settings.field == "kind";
-    const ColourMap map = kinds ? ColourMap::two_colours(colours.fluid_kind, colours.object_kind)
-                                : colour_map(colour_map_name(settings));
+  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+             const std::vector<GaugeCurve>& curves) {
     const std::string time = time_text(snapshot.time);
-    const FrameLayout layout = lay_out_frame(settings.width, settings.height, typeface_, time, scale.label);
-
-    Image frame(settings.width, settings.height);
-    fill_rectangle(frame, {0, 0, frame.width, frame.height}, colours.page);
-    const LengthScale length = draw_picture(frame, layout, settings, snapshot, depth, map, scale);
-    draw_title(frame, layout, typeface_, colours, scene_.title.empty() ? scene_.name : scene_.title, time);
-    draw_length_scale(frame, layout, typeface_, colours, length);
-    if (kinds) {
-      draw_kinds(frame, layout, typeface_, colours, scale.label,
-                 {{"fluid", colours.fluid_kind}, {"object", colours.object_kind}});
-    } else {
-      const bool map_of_depth = settings.kind == ImageKind::DepthMap;
-      const double bare_below = map_of_depth ? settings.dry_depth : std::numeric_limits<double>::lowest();
-      draw_colour_bar(frame, layout, typeface_, colours, scale, map, bare_below, bare_ground(colours));
-    }
-    return frame;
+    if (settings.kind == ImageKind::Panels) return draw_panels(settings, snapshot, depth, curves, time);
+    return draw_frame(settings, snapshot, depth, time, 0, {});
   }
 
  private:
@@ -84,13 +68,108 @@ class FrameRenderer::Parts {
                                        : colour_maps_.emplace(name, ColourMap::load(name)).first->second;
   }
 
+  [[nodiscard]] const std::string& title() const { return scene_.title.empty() ? scene_.name : scene_.title; }
+
+  /// A frame of one picture. Without a time there is no title either; a text height of 0 follows the frame.
+  /// `marked` gauges are shown on depth maps.
+  Image draw_frame(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+                   const std::string& time, int text_height, const std::vector<std::string>& marked) {
+    const FieldScale scale = field_scale(scene_, settings);
+    const Palette colours = palette(settings.dark_background);
+    const bool kinds = settings.kind == ImageKind::Particles && settings.field == "kind";
+    const ColourMap map = kinds ? ColourMap::two_colours(colours.fluid_kind, colours.object_kind)
+                                : colour_map(colour_map_name(settings));
+    const FrameLayout layout = lay_out_frame(
+        settings.width, settings.height, typeface_,
+        {.time = time, .legend_label = scale.label, .caption = settings.caption, .text_height = text_height});
+    Image frame(settings.width, settings.height);
+    fill_rectangle(frame, {0, 0, frame.width, frame.height}, colours.page);
+    const LengthScale length = draw_picture(frame, layout, settings, snapshot, depth, map, scale, marked);
+    if (!time.empty()) draw_title(frame, layout, typeface_, colours, title(), time);
+    draw_length_scale(frame, layout, typeface_, colours, length);
+    draw_caption(frame, layout, typeface_, colours);
+    if (kinds) {
+      draw_kinds(frame, layout, typeface_, colours, scale.label,
+                 {{"fluid", colours.fluid_kind}, {"object", colours.object_kind}});
+    } else if (!scale.label.empty()) {
+      const bool map_of_depth = settings.kind == ImageKind::DepthMap;
+      const double bare_below = map_of_depth ? settings.dry_depth : std::numeric_limits<double>::lowest();
+      draw_colour_bar(frame, layout, typeface_, colours, scale, map, bare_below, bare_ground(colours));
+    }
+    return frame;
+  }
+
+  [[nodiscard]] const ImageSettings& image_named(const std::string& name) const {
+    const auto found = std::find_if(scene_.images.begin(), scene_.images.end(),
+                                    [&name](const ImageSettings& image) { return image.name == name; });
+    if (found == scene_.images.end() || found->kind == ImageKind::Panels) {
+      throw InputError(fmt::format("{}: panels: the scene has no picture '{}' to draw as a panel",
+                                   scene_.source_file, name));
+    }
+    return *found;
+  }
+
+  Image draw_panels(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+                    const std::vector<GaugeCurve>& curves, const std::string& time) {
+    const Palette colours = palette(settings.dark_background);
+    const FrameLayout layout = lay_out_frame(settings.width, settings.height, typeface_,
+                                             {.time = time, .caption = settings.caption});
+    Image frame(settings.width, settings.height);
+    fill_rectangle(frame, {0, 0, frame.width, frame.height}, colours.page);
+    draw_title(frame, layout, typeface_, colours, title(), time);
+    draw_caption(frame, layout, typeface_, colours);
+    const PixelRectangle area{layout.picture.x, layout.picture.y, layout.picture.width,
+                              layout.scale.bottom() - layout.picture.y};
+    const std::size_t plots = settings.gauges.empty() ? 0 : 1;
+    const std::vector<PixelRectangle> places =
+        panel_places(area, settings.panels.size() + plots, layout.text_height);
+    const int text = std::max(10, layout.text_height * 2 / 3);
+    for (const PixelRectangle& place : places) {
+      if (std::min(place.width, place.height) < 6 * text) {
+        throw InputError(fmt::format("{}: image '{}': {} panels are too many for {} x {} pixels",
+                                     scene_.source_file, settings.name, places.size(), settings.width,
+                                     settings.height));
+      }
+    }
+    for (std::size_t k = 0; k < settings.panels.size(); ++k) {
+      ImageSettings panel = image_named(settings.panels[k]);
+      panel.width = places[k].width;
+      panel.height = places[k].height;
+      panel.dark_background = settings.dark_background;
+      paste(frame, draw_frame(panel, snapshot, depth, "", text, settings.gauges), places[k].x, places[k].y);
+    }
+    if (plots > 0) {
+      const GaugeAxes axes = gauge_axes(curves, scene_.end_time, depth_scale(scene_), snapshot.time);
+      const int margin = text * 2 / 3;
+      const PixelRectangle& place = places.back();
+      draw_gauge_plot(
+          frame, {place.x + margin, place.y + margin, place.width - 2 * margin, place.height - 2 * margin},
+          curves, axes, snapshot.time, typeface_.size(text), colours);
+    }
+    return frame;
+  }
+
+  /// Dots where the gauges are, in the colours of their curves.
+  void mark_gauges(Image& frame, const PixelRectangle& place, const TopView& view,
+                   const std::vector<std::string>& marked, const FrameLayout& layout,
+                   const Palette& colours) const {
+    for (std::size_t k = 0; k < marked.size(); ++k) {
+      const auto gauge = std::find_if(scene_.gauges.begin(), scene_.gauges.end(),
+                                      [&](const Gauge& candidate) { return candidate.name == marked[k]; });
+      if (gauge == scene_.gauges.end()) continue;
+      const double x = place.x + view.area.x + (gauge->x - view.left) / view.metres_per_pixel;
+      const double y = place.y + view.area.y + (view.top - gauge->y) / view.metres_per_pixel;
+      draw_gauge_mark(frame, x, y, 0.45 * layout.text_height, k, colours);
+    }
+  }
+
   [[nodiscard]] Colour bare_ground(const Palette& colours) const {
     return scene_.dimension == 3 ? colours.dry_floor : colours.page;
   }
 
   LengthScale draw_picture(Image& frame, const FrameLayout& layout, const ImageSettings& settings,
                            const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
-                           const FieldScale& scale) {
+                           const FieldScale& scale, const std::vector<std::string>& marked) {
     if (settings.kind == ImageKind::Particles)
       return draw_particles(frame, layout, settings, snapshot, depth, map, scale);
     const PixelRectangle& place = layout.picture;
@@ -112,6 +191,7 @@ class FrameRenderer::Parts {
     const TopView view = top_view(scene_, settings, place.width, place.height, layout.text_height / 2);
     paste(frame, draw_depth_map(scene_, settings, depth, view, place.width, place.height, map, scale),
           place.x, place.y);
+    mark_gauges(frame, place, view, marked, layout, palette(settings.dark_background));
     return length_scale(1.0 / view.metres_per_pixel, place.width, layout.scale.width);
   }
 
@@ -153,8 +233,9 @@ FrameRenderer::~FrameRenderer() = default;
 
 std::string FrameRenderer::context_description() const { return parts_->context_description(); }
 
-Image FrameRenderer::draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth) {
-  return parts_->draw(settings, snapshot, depth);
+Image FrameRenderer::draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+                          const std::vector<GaugeCurve>& curves) {
+  return parts_->draw(settings, snapshot, depth, curves);
 }
 
 }  // namespace eisph

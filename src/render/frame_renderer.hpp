@@ -3,12 +3,14 @@
 #include "core/depth_grid.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
+#include "render/gauge_plot.hpp"
 #include "render/image.hpp"
 #include "render/render_options.hpp"
 #include "render/renderer_threads.hpp"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace eisph {
 
@@ -23,9 +25,12 @@ class FrameRenderer {
   FrameRenderer& operator=(const FrameRenderer&) = delete;
   ~FrameRenderer();
 
-  /// One frame: the picture with title, time, colour bar and length scale. The settings need not be among the
-  /// scene's. Throws InputError for settings that cannot be drawn.
-  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth);
+  /// One frame: the picture with title, time, colour bar, length scale and caption, or several pictures and
+  /// the curves of gauges in one. The settings need not be among the scene's, but pictures that they name as
+  /// panels have to be. `curves` are for settings.gauges, in that order. Throws InputError for settings that
+  /// cannot be drawn.
+  Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+             const std::vector<GaugeCurve>& curves = {});
 
   /// What draws the particles, for logs; empty as long as nothing does.
   [[nodiscard]] std::string context_description() const;

@@ -14,6 +14,7 @@ namespace eisph {
   X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
   X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
   X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
+  X(BlendFunc, PFNGLBLENDFUNCPROC)                             \
   X(BufferData, PFNGLBUFFERDATAPROC)                           \
   X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)   \
   X(Clear, PFNGLCLEARPROC)                                     \

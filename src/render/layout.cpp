@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -16,43 +17,77 @@ namespace {
 constexpr int kSmallestFrame = 120;
 constexpr int kLargestFrame = 8000;
 
-int text_height(int width, int height) {
-  return std::max(10, static_cast<int>(std::min(height / 30.0, width / 36.0)));
+constexpr std::size_t kMostCaptionLines = 3;
+
+/// The text in lines that fit into `width`; what goes beyond the last line is left out.
+std::vector<std::string> broken(const std::string& text, const Font& font, int width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (lines.empty()) {
+      lines.push_back(word);
+      continue;
+    }
+    const std::string longer = lines.back() + " " + word;
+    if (lines.size() == kMostCaptionLines || font.width(longer) <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  for (std::string& line : lines) line = font.shortened(line, width);
+  return lines;
 }
+
+int line_pitch(int text) { return text * 5 / 4; }
 
 /// Height of a bar with text below it.
 int bar_block_height(int text) { return text * 9 / 4; }
 
 }  // namespace
 
-FrameLayout lay_out_frame(int width, int height, Typeface& typeface, const std::string& time,
-                          const std::string& legend_label) {
+int frame_text_height(int width, int height) {
+  return std::max(10, static_cast<int>(std::min(height / 30.0, width / 36.0)));
+}
+
+FrameLayout lay_out_frame(int width, int height, Typeface& typeface, const FrameTexts& texts) {
   const auto fits = [](int pixels) { return pixels >= kSmallestFrame && pixels <= kLargestFrame; };
   if (!fits(width) || !fits(height)) {
     throw InputError(fmt::format("image size {} x {}: each side must have from {} to {} pixels", width,
                                  height, kSmallestFrame, kLargestFrame));
   }
   FrameLayout layout;
-  const int text = text_height(width, height);
+  const int text = texts.text_height > 0 ? texts.text_height : frame_text_height(width, height);
   const int margin = text * 2 / 3;
   layout.text_height = text;
   layout.title_height = text * 6 / 5;
   const int inner = width - 2 * margin;
   int y = margin;
-  const int time_width = std::min(inner, typeface.size(layout.title_height).width(time));
-  layout.time = {width - margin - time_width, y, time_width, layout.title_height};
-  layout.title = {margin, y, inner - time_width - 2 * text, layout.title_height};
-  if (layout.title.width < 10 * text) {
-    layout.title.width = inner;
-    y += layout.title_height + 2;
-    layout.time = {margin, y, time_width, layout.title_height};
+  if (!texts.time.empty()) {
+    const int time_width = std::min(inner, typeface.size(layout.title_height).width(texts.time));
+    layout.time = {width - margin - time_width, y, time_width, layout.title_height};
+    layout.title = {margin, y, inner - time_width - 2 * text, layout.title_height};
+    if (layout.title.width < 10 * text) {
+      layout.title.width = inner;
+      y += layout.title_height + 2;
+      layout.time = {margin, y, time_width, layout.title_height};
+    }
+    y += layout.title_height + margin;
   }
-  y += layout.title_height + margin;
 
   const int block = bar_block_height(text);
-  const int label_width = typeface.size(text).width(legend_label);
+  const int label_width = typeface.size(text).width(texts.legend_label);
   int bottom = height - margin;
-  if (inner >= 30 * text) {
+  layout.caption_lines = broken(texts.caption, typeface.size(text), inner);
+  if (!layout.caption_lines.empty()) {
+    const int lines = static_cast<int>(layout.caption_lines.size()) * line_pitch(text);
+    layout.caption = {margin, bottom - lines, inner, lines};
+    bottom -= lines + margin;
+  }
+  if (texts.legend_label.empty()) {
+    layout.scale = {margin, bottom - block, inner, block};
+    bottom -= block;
+  } else if (inner >= 30 * text) {
     // One row: length scale at the left, label and colour bar at the right.
     const int bar = std::min(inner * 2 / 5, 26 * text);
     layout.legend = {width - margin - bar, bottom - block, bar, block};
@@ -69,6 +104,28 @@ FrameLayout lay_out_frame(int width, int height, Typeface& typeface, const std::
   bottom -= margin;
   layout.picture = {margin, y, inner, std::max(bottom - y, 1)};
   return layout;
+}
+
+std::vector<PixelRectangle> panel_places(const PixelRectangle& area, std::size_t count, int gap) {
+  if (count <= 1) return std::vector<PixelRectangle>(count, area);
+  const bool side_by_side = area.width > area.height * 5 / 4;
+  const int others = static_cast<int>(count) - 1;
+  PixelRectangle first = area;
+  PixelRectangle rest = area;
+  if (side_by_side) {
+    first.width = (area.width - gap) * 11 / 20;
+    rest.x = first.right() + gap;
+    rest.width = area.right() - rest.x;
+  } else {
+    first.height = (area.height - gap) * (others == 1 ? 11 : 9) / 20;
+    rest.y = first.bottom() + gap;
+    rest.height = area.bottom() - rest.y;
+  }
+  std::vector<PixelRectangle> places{first};
+  const int height = (rest.height - (others - 1) * gap) / others;
+  for (int k = 0; k < others; ++k)
+    places.push_back({rest.x, rest.y + k * (height + gap), rest.width, height});
+  return places;
 }
 
 LengthScale length_scale(double pixels_per_metre, int picture_width, int room) {
@@ -137,6 +194,15 @@ void draw_kinds(Image& image, const FrameLayout& layout, Typeface& typeface, con
   }
   font.draw(image, layout.legend_label.x, layout.legend_label.y - text / 10,
             font.shortened(label, layout.legend_label.width), colours.text);
+}
+
+void draw_caption(Image& image, const FrameLayout& layout, Typeface& typeface, const Palette& colours) {
+  const Font& font = typeface.size(layout.text_height);
+  int y = layout.caption.y;
+  for (const std::string& line : layout.caption_lines) {
+    font.draw(image, layout.caption.x, y, line, colours.text);
+    y += line_pitch(layout.text_height);
+  }
 }
 
 void draw_length_scale(Image& image, const FrameLayout& layout, Typeface& typeface, const Palette& colours,

@@ -15,6 +15,7 @@ struct Palette {
   Colour dry_floor;  ///< depth map without water: light on any page, as deeper means darker
   Colour solid;      ///< obstacles and dams
   Colour gate;
+  Colour glass;        ///< what panes of glass mirror
   Colour fluid_kind;   ///< field "kind"
   Colour object_kind;  ///< field "kind"
 };
@@ -29,6 +30,7 @@ struct Palette {
                   .dry_floor = {0.96F, 0.96F, 0.95F},
                   .solid = {0.70F, 0.66F, 0.60F},
                   .gate = {0.82F, 0.52F, 0.30F},
+                  .glass = {0.66F, 0.78F, 0.82F},
                   .fluid_kind = {0.22F, 0.47F, 0.76F},
                   .object_kind = {0.86F, 0.55F, 0.20F}};
   if (dark_background) {
@@ -38,6 +40,7 @@ struct Palette {
     colours.faint = {0.42F, 0.43F, 0.46F};
     colours.floor = {0.23F, 0.24F, 0.26F};
     colours.grid = {0.32F, 0.33F, 0.35F};
+    colours.glass = {0.60F, 0.72F, 0.78F};
   }
   return colours;
 }

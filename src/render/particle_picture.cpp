@@ -12,9 +12,12 @@ namespace {
 
 /// Sphere radius in particle spacings: large enough that a resting lattice has no holes.
 constexpr float kSphereRadius = 0.58F;
-constexpr float kDiscRadius = 0.5F;  ///< two dimensions: neighbours just touch
-constexpr float kShadingStrength = 1.1F;
-constexpr int kShadingReach = 3;  ///< pixels
+constexpr float kDiscRadius = 0.5F;              ///< two dimensions: neighbours just touch
+constexpr double kSphereOpacity = 0.3;           ///< shadow of a layer of water drawn as spheres
+constexpr double kSurfaceOpacity = 0.10;         ///< and as transparent water, which is looked through
+constexpr float kShadingStrength = 1.1F;         ///< of spheres
+constexpr float kSurfaceShadingStrength = 0.4F;  ///< of transparent water, which has lights of its own
+constexpr int kShadingReach = 3;                 ///< pixels
 
 const GlFunctions& current(GlContext& context) {
   context.make_current();
@@ -59,22 +62,50 @@ Image ParticlePicture::draw(const ImageSettings& settings, const CameraView& cam
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_PROGRAM_POINT_SIZE);
   gl.DepthFunc(GL_LEQUAL);
-  if (settings.draw_walls) draw_floor(camera, colours);
+  if (settings.draw_walls) draw_floor(settings, camera, colours, snapshot);
   if (settings.draw_obstacles && settings.field != "kind") draw_solids(camera, colours, snapshot.time);
-  draw_particles(settings, camera, snapshot, depth, map, scale);
-  if (settings.draw_walls) draw_wall_edges(camera, colours);
-  return resolve(camera, colours, width, height);
+  const OffscreenTarget* samples = &*samples_;
+  if (settings.style == WaterStyle::Surface && scene_.dimension == 3) {
+    samples = &draw_surface(settings, camera, snapshot, depth, map, scale);
+  } else {
+    draw_particles(settings, camera, snapshot, depth, map, scale);
+  }
+  if (settings.draw_walls) draw_walls(settings, camera, colours);
+  const float shading = samples == &*samples_ ? kShadingStrength : kSurfaceShadingStrength;
+  return resolve(*samples, shading, camera, colours, width, height);
 }
 
-void ParticlePicture::draw_floor(const CameraView& camera, const Palette& colours) const {
+void ParticlePicture::draw_floor(const ImageSettings& settings, const CameraView& camera,
+                                 const Palette& colours, const Snapshot& snapshot) {
   if (scene_.dimension != 3) return;
-  SolidMesh floor;
-  add_floor(floor, scene_.domain_min.x(), scene_.domain_max.x(), scene_.domain_min.y(), scene_.domain_max.y(),
-            scene_.domain_min.z());
-  solid_painter_.draw_surface(camera, floor.triangles, colours.floor);
+  const std::filesystem::path shaders = home_folder() / "shaders";
+  if (settings.shadow) {
+    if (!floor_painter_) floor_painter_.emplace(context_->functions(), shaders, scene_);
+    const bool opaque = settings.style == WaterStyle::Spheres;
+    const bool solids = settings.draw_obstacles && settings.field != "kind";
+    floor_painter_->draw(camera, colours.floor,
+                         ground_light(scene_, snapshot, solids, opaque ? kSphereOpacity : kSurfaceOpacity));
+  } else {
+    SolidMesh floor;
+    add_floor(floor, scene_.domain_min.x(), scene_.domain_max.x(), scene_.domain_min.y(),
+              scene_.domain_max.y(), scene_.domain_min.z());
+    solid_painter_.draw_surface(camera, floor.triangles, colours.floor);
+  }
   solid_painter_.draw_edges(camera, floor_grid(scene_, grid_spacing_), colours.grid,
                             0.9F * static_cast<float>(options_.samples_per_pixel), samples_->width(),
                             samples_->height());
+}
+
+void ParticlePicture::draw_walls(const ImageSettings& settings, const CameraView& camera,
+                                 const Palette& colours) {
+  if (settings.glass && scene_.dimension == 3) {
+    if (!glass_painter_) {
+      glass_painter_.emplace(context_->functions(), home_folder() / "shaders", scene_,
+                             framed_bounds(scene_).upper.z());
+    }
+    glass_painter_->draw(camera, colours.glass);
+  }
+  draw_wall_edges(camera, colours);
 }
 
 void ParticlePicture::draw_wall_edges(const CameraView& camera, const Palette& colours) const {
@@ -119,14 +150,40 @@ void ParticlePicture::draw_particles(const ImageSettings& settings, const Camera
   particle_painter_.draw(camera, options_.samples_per_pixel, objects, radius, map, scale.lower, scale.upper);
 }
 
-Image ParticlePicture::resolve(const CameraView& camera, const Palette& colours, int width, int height) {
+const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settings, const CameraView& camera,
+                                                     const Snapshot& snapshot, const DepthGrid& depth,
+                                                     const ColourMap& map, const FieldScale& scale) {
+  if (!fluid_surface_) fluid_surface_.emplace(context_->functions(), home_folder() / "shaders");
+  const std::vector<std::uint32_t> finite = finite_particles(snapshot);
+  std::vector<Vec3f> all(finite.size());
+  std::transform(finite.begin(), finite.end(), all.begin(),
+                 [&](std::uint32_t i) { return snapshot.position[i]; });
+  const std::vector<std::uint32_t> chosen =
+      options_.cull_interior ? visible_particles(snapshot, camera, scene_.domain_min.z()) : finite;
+  const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
+  std::vector<SurfaceVertex> shown(chosen.size());
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const std::uint32_t i = chosen[k];
+    shown[k] = {snapshot.position[i], values[k],
+                surface_sphere_radius(snapshot.number_density[i], snapshot.particle_spacing)};
+  }
+  return fluid_surface_->draw(*samples_, camera, options_.samples_per_pixel, shown, all, map,
+                              {.spacing = snapshot.particle_spacing,
+                               .depth_scale = depth_scale(scene_),
+                               .has_field = settings.field != "water",
+                               .scale = scale,
+                               .dark = settings.dark_background});
+}
+
+Image ParticlePicture::resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
+                               const Palette& colours, int width, int height) {
   const GlFunctions& gl = context_->functions();
   pixels_->begin(colours.page);
   gl.Disable(GL_DEPTH_TEST);
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.BindTexture(GL_TEXTURE_2D, samples_->colour().name());
+  gl.BindTexture(GL_TEXTURE_2D, samples.colour().name());
   gl.ActiveTexture(GL_TEXTURE0 + 1);
-  gl.BindTexture(GL_TEXTURE_2D, samples_->depth().name());
+  gl.BindTexture(GL_TEXTURE_2D, samples.depth().name());
   const bool shade = options_.depth_shading && scene_.dimension == 3;
   // Reach and scale follow the picture, so that a frame looks alike at every size.
   const int reach = std::max(1, kShadingReach * std::min(width, height) / 600);
@@ -136,7 +193,7 @@ Image ParticlePicture::resolve(const CameraView& camera, const Palette& colours,
   resolve_program_.set("projection", camera.projection());
   resolve_program_.set("factor", options_.samples_per_pixel);
   resolve_program_.set("reach", reach * options_.samples_per_pixel);
-  resolve_program_.set("strength", shade ? kShadingStrength : 0.0F);
+  resolve_program_.set("strength", shade ? shading : 0.0F);
   resolve_program_.set("scale", static_cast<float>(0.5 * depth_scale(scene_)));
   gl.BindVertexArray(resolve_array_.name());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);

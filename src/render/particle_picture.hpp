@@ -6,6 +6,8 @@
 #include "render/camera_view.hpp"
 #include "render/colour_map.hpp"
 #include "render/field.hpp"
+#include "render/floor_painter.hpp"
+#include "render/fluid_surface.hpp"
 #include "render/gl_context.hpp"
 #include "render/image.hpp"
 #include "render/offscreen_target.hpp"
@@ -40,12 +42,20 @@ class ParticlePicture {
   [[nodiscard]] double grid_spacing() const { return grid_spacing_; }
 
  private:
-  void draw_floor(const CameraView& camera, const Palette& colours) const;
+  void draw_floor(const ImageSettings& settings, const CameraView& camera, const Palette& colours,
+                  const Snapshot& snapshot);
+  void draw_walls(const ImageSettings& settings, const CameraView& camera, const Palette& colours);
   void draw_wall_edges(const CameraView& camera, const Palette& colours) const;
   void draw_solids(const CameraView& camera, const Palette& colours, double time) const;
   void draw_particles(const ImageSettings& settings, const CameraView& camera, const Snapshot& snapshot,
                       const DepthGrid& depth, const ColourMap& map, const FieldScale& scale) const;
-  Image resolve(const CameraView& camera, const Palette& colours, int width, int height);
+  /// Draws the water over what is in samples_; the picture with it.
+  const OffscreenTarget& draw_surface(const ImageSettings& settings, const CameraView& camera,
+                                      const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
+                                      const FieldScale& scale);
+  /// `shading` is the strength of the darkening behind edges.
+  Image resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
+                const Palette& colours, int width, int height);
 
   Scene scene_;
   std::unique_ptr<GlContext> context_;
@@ -56,6 +66,10 @@ class ParticlePicture {
   SolidPainter solid_painter_;
   ShaderProgram resolve_program_;
   GlVertexArray resolve_array_;
+  // Made when first asked for.
+  std::optional<FluidSurface> fluid_surface_;
+  std::optional<FloorPainter> floor_painter_;
+  std::optional<GlassPainter> glass_painter_;
   std::optional<OffscreenTarget> samples_;
   std::optional<OffscreenTarget> pixels_;
 };

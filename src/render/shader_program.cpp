@@ -58,10 +58,10 @@ class Shader {
 }  // namespace
 
 ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder,
-                             const std::string& name)
+                             const std::string& vertex_name, const std::string& fragment_name)
     : gl_(gl) {
-  const Shader vertex(gl, GL_VERTEX_SHADER, folder / (name + ".vert"));
-  const Shader fragment(gl, GL_FRAGMENT_SHADER, folder / (name + ".frag"));
+  const Shader vertex(gl, GL_VERTEX_SHADER, folder / (vertex_name + ".vert"));
+  const Shader fragment(gl, GL_FRAGMENT_SHADER, folder / (fragment_name + ".frag"));
   program_ = gl.CreateProgram();
   gl.AttachShader(program_, vertex.name());
   gl.AttachShader(program_, fragment.name());
@@ -74,8 +74,8 @@ ShaderProgram::ShaderProgram(const GlFunctions& gl, const std::filesystem::path&
   std::string log(static_cast<std::size_t>(length), '\0');
   gl.GetProgramInfoLog(program_, length, nullptr, log.data());
   gl.DeleteProgram(program_);
-  throw InputError(
-      fmt::format("{}: {}.vert and {}.frag do not link:\n{}", folder.string(), name, name, log.c_str()));
+  throw InputError(fmt::format("{}: {}.vert and {}.frag do not link:\n{}", folder.string(), vertex_name,
+                               fragment_name, log.c_str()));
 }
 
 ShaderProgram::~ShaderProgram() { gl_.DeleteProgram(program_); }

@@ -16,7 +16,11 @@ class ShaderProgram {
  public:
   /// Reads <name>.vert and <name>.frag from `folder`. Throws InputError when a file is missing, does not
   /// compile or link; the message has the file name and the driver's log.
-  ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name);
+  ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& name)
+      : ShaderProgram(gl, folder, name, name) {}
+  /// Two shaders of different names.
+  ShaderProgram(const GlFunctions& gl, const std::filesystem::path& folder, const std::string& vertex_name,
+                const std::string& fragment_name);
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
   ~ShaderProgram();

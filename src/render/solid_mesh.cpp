@@ -156,6 +156,22 @@ std::vector<std::array<Vec3f, 2>> wall_edges(const Scene& scene, double top) {
   return mesh.edges;
 }
 
+SolidMesh wall_panes(const Scene& scene, double top) {
+  const Vec3d& lower = scene.domain_min;
+  const Vec3d& upper = scene.domain_max;
+  SolidMesh mesh;
+  const auto add = [&](int face, double x0, double y0, double x1, double y1) {
+    if (scene.faces[static_cast<std::size_t>(face)].kind != FaceKind::Wall) return;
+    add_quad(mesh,
+             {Vec3d(x0, y0, lower.z()), Vec3d(x1, y1, lower.z()), Vec3d(x1, y1, top), Vec3d(x0, y0, top)});
+  };
+  add(kXMin, lower.x(), upper.y(), lower.x(), lower.y());
+  add(kXMax, upper.x(), lower.y(), upper.x(), upper.y());
+  add(kYMin, lower.x(), lower.y(), upper.x(), lower.y());
+  add(kYMax, upper.x(), upper.y(), lower.x(), upper.y());
+  return mesh;
+}
+
 std::vector<std::array<Vec3f, 2>> floor_grid(const Scene& scene, double spacing) {
   const Vec3d& lower = scene.domain_min;
   const Vec3d& upper = scene.domain_max;

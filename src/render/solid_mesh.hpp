@@ -28,6 +28,8 @@ void add_floor(SolidMesh& mesh, double x0, double x1, double y0, double y1, doub
 [[nodiscard]] SolidMesh gate_mesh(const Scene& scene, double time);
 /// Outlines of the domain's walls up to height `top`; open and symmetry faces are left out.
 [[nodiscard]] std::vector<std::array<Vec3f, 2>> wall_edges(const Scene& scene, double top);
+/// The upright walls of the domain up to height `top` (three dimensions), without edges.
+[[nodiscard]] SolidMesh wall_panes(const Scene& scene, double top);
 /// Lines on the floor at multiples of `spacing` from the domain's lower corner.
 [[nodiscard]] std::vector<std::array<Vec3f, 2>> floor_grid(const Scene& scene, double spacing);
 

@@ -261,6 +261,28 @@ TEST(SceneFile, WithoutImagesThereIsAViewAndInThreeDimensionsADepthMap) {
   EXPECT_EQ(loader.load(edited(kSceneText2d, "[[image]]\nname = \"view\"\n", "")).images.size(), 1U);
 }
 
+TEST(SceneFile, ASurfaceIsPlainWaterUnlessAFieldIsGiven) {
+  SceneLoader loader;
+  const std::string plain = edited(kSceneText, "name = \"view\"", "name = \"view\"\nstyle = \"surface\"");
+  const Scene scene = loader.load(plain);
+  EXPECT_EQ(scene.images.at(0).style, WaterStyle::Surface);
+  EXPECT_EQ(scene.images.at(0).field, "water");
+  EXPECT_EQ(round_trip(scene), scene);
+  EXPECT_EQ(loader.load(plain, {"image.view.field=speed"}).images.at(0).field, "speed");
+  EXPECT_EQ(loader.load(kSceneText).images.at(0).field, "speed");
+}
+
+TEST(SceneFile, PanelsNameImagesAndGauges) {
+  SceneLoader loader;
+  const Scene scene = loader.load(kSceneText +
+                                  "[[image]]\nname = \"all\"\nkind = \"panels\"\npanels = [\"view\"]\n"
+                                  "gauges = [\"level\"]\ncaption = \"A view\"\n");
+  EXPECT_THAT(scene.images.at(1).panels, ElementsAre("view"));
+  EXPECT_THAT(scene.images.at(1).gauges, ElementsAre("level"));
+  EXPECT_EQ(scene.images.at(1).caption, "A view");
+  EXPECT_EQ(round_trip(scene), scene);
+}
+
 TEST(SceneFile, ResolvedTextHoldsEveryFeature) {
   SceneLoader loader;
   const std::string more = R"([[fluid.region]]

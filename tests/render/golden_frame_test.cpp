@@ -1,5 +1,6 @@
 // Frames of made-up states against the pictures in golden/.
 
+#include "core/error.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/golden.hpp"
 #include "render/synthetic_scene.hpp"
@@ -83,6 +84,78 @@ TEST_F(GoldenFrame, OrthographicFromAbove) {
   settings.camera->up = Vec3d::UnitY();
   settings.camera->orthographic_height = 2.2;
   expect_golden("orthographic_above", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, WaterSurface) {
+  ImageSettings settings = small();
+  settings.style = WaterStyle::Surface;
+  settings.field = "water";
+  settings.caption = "Smoothed surface of the particles";
+  expect_golden("surface", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, WaterSurfaceInTheColoursOfAFieldOnADarkPage) {
+  ImageSettings settings = small();
+  settings.style = WaterStyle::Surface;
+  settings.dark_background = true;
+  settings.camera = Camera{};
+  settings.camera->eye = Vec3d(2.8, 0.6, 0.5);
+  settings.camera->target = Vec3d(1.3, 0.6, 0.0);
+  expect_golden("surface_speed_dark", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, WallsAsOutlinesAndNoShadow) {
+  ImageSettings settings = small();
+  settings.glass = false;
+  settings.shadow = false;
+  expect_golden("plain", draw(furnished_tank(), settings));
+}
+
+/// A frame of a view, a depth map and two gauges.
+Image draw_panels(int width, int height, bool dark) {
+  synthetic::State state = synthetic::tank(0.02);
+  ImageSettings view;
+  view.name = "view";
+  ImageSettings map;
+  map.name = "map";
+  map.kind = ImageKind::DepthMap;
+  map.colour_map = "depth_blue";
+  state.scene.images = {view, map};
+  state.scene.end_time = 1.0;
+  state.scene.gauges = {{.name = "dam", .x = 0.7, .y = 0.6}, {.name = "far", .x = 1.8, .y = 0.6}};
+  ImageSettings panels;
+  panels.kind = ImageKind::Panels;
+  panels.width = width;
+  panels.height = height;
+  panels.dark_background = dark;
+  panels.panels = {"view", "map"};
+  panels.gauges = {"dam", "far"};
+  std::vector<GaugeCurve> curves{{"dam", {}, {}}, {"far", {}, {}}};
+  for (int k = 0; k <= 100; ++k) {
+    const double time = 0.01 * k;
+    for (GaugeCurve& curve : curves) curve.time.push_back(time);
+    curves[0].surface.push_back(0.15 - 0.1 * time);
+    curves[1].surface.push_back(time < 0.3 ? 0.0 : 0.06 * std::sqrt(time - 0.3));
+  }
+  return FrameRenderer(state.scene).draw(panels, state.snapshot, state.depth, curves);
+}
+
+TEST_F(GoldenFrame, PanelsSideBySide) { expect_golden("panels_wide", draw_panels(640, 360, false)); }
+
+TEST_F(GoldenFrame, PanelsBelowEachOtherOnADarkPage) {
+  expect_golden("panels_upright", draw_panels(360, 640, true));
+}
+
+TEST_F(GoldenFrame, PanelsThatCannotBeDrawnAreRefused) {
+  EXPECT_THAT(
+      [] { draw_panels(160, 160, false); },
+      ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("3 panels are too many for 160 x 160")));
+  const synthetic::State state = synthetic::tank(0.05);
+  ImageSettings panels;
+  panels.kind = ImageKind::Panels;
+  panels.panels = {"absent"};
+  EXPECT_THAT([&] { FrameRenderer(state.scene).draw(panels, state.snapshot, state.depth); },
+              ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("absent")));
 }
 
 TEST_F(GoldenFrame, TwoDimensions) {

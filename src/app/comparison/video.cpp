@@ -33,7 +33,7 @@ std::string picture_list(const std::vector<std::filesystem::path>& pictures, dou
 bool has_ffmpeg() { return !find_program("ffmpeg").empty(); }
 
 void write_video(const std::filesystem::path& path, const std::vector<std::filesystem::path>& pictures,
-                 double seconds_each) {
+                 double seconds_each, double rate) {
   if (pictures.empty()) return;
   const ScratchFolder scratch;
   write_file_atomically(scratch / "list", picture_list(pictures, seconds_each));
@@ -52,9 +52,11 @@ void write_video(const std::filesystem::path& path, const std::vector<std::files
                                       "-vf",
                                       "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p",
                                       "-r",
-                                      "25",
+                                      fmt::format("{}", rate),
                                       "-c:v",
                                       "libx264",
+                                      "-movflags",
+                                      "+faststart",
                                       "-f",
                                       "mp4",
                                       target.temporary_path().string()},
