@@ -11,7 +11,10 @@ uniform mat4 projection;
 uniform vec2 size;    // of the target, samples
 uniform float width;  // of the line, samples
 
+out vec3 place;
+
 void main() {
+  place = int[6](0, 1, 2, 2, 1, 3)[gl_VertexID] < 2 ? first : second;
   vec4 a = projection * (view * vec4(first, 1.0));
   vec4 b = projection * (view * vec4(second, 1.0));
   // Cut off what lies before the near plane, where the division below means nothing.

@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -29,13 +31,18 @@ std::vector<const Case*> choose_cases(const std::string& command, const std::vec
   return chosen;
 }
 
-/// The entries of `all` whose name, as `name_of` tells it, contains one of the texts; all of them without any
-/// text. `option` is for the error: throws InputError for a text that is in no name.
+/// The entries of `all` whose name, as `name_of` tells it, contains one of the texts from the beginning of a
+/// word on (ISPH is not in EISPH); all of them without any text. `option` is for the error: throws InputError
+/// for a text that is in no name.
 template <class Entry, class NameOf>
 std::vector<Entry> choose_by_text(const std::string& option, const std::vector<Entry>& all,
                                   const NameOf& name_of, const std::vector<std::string>& texts) {
   const auto has = [&](const Entry& entry, const std::string& text) {
-    return name_of(entry).find(text) != std::string::npos;
+    const std::string name = name_of(entry);
+    for (std::size_t at = name.find(text); at != std::string::npos; at = name.find(text, at + 1)) {
+      if (at == 0 || std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0) return true;
+    }
+    return false;
   };
   for (const std::string& text : texts) {
     if (std::any_of(all.begin(), all.end(), [&](const Entry& entry) { return has(entry, text); })) continue;

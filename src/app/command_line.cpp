@@ -26,6 +26,7 @@ struct CommandLine {
   RunOptions run;
   CheckOptions check;
   RenderOptions render;
+  ViewOptions view;
   VideoOptions video;
   ValidateOptions validate;
   ParetoOptions pareto;
@@ -130,6 +131,34 @@ void add_video(CLI::App& app, CommandLine& line) {
       ->type_name("DIR");
   command->add_option("--out", options.out, "Folder of the videos [that of the frames]")->type_name("DIR");
   command->callback([&line] { line.command = [&line] { return video_command(line.video, std::cout); }; });
+}
+
+void add_view(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("view", "Look at a scene while it runs, or at the states of a run");
+  ViewOptions& options = line.view;
+  command->add_option("SCENE_OR_RUN", options.subject, "Scene file (.toml) or folder of a run")
+      ->required()
+      ->type_name("PATH")
+      ->check(CLI::ExistingPath.description(""));
+  add_overrides(*command, options.overrides);
+  add_threads(*command, options.threads);
+  command->add_option("--width", options.width, "Width of the window")
+      ->type_name("N")
+      ->check(CLI::Range(320, 16384).description(""))
+      ->capture_default_str();
+  command->add_option("--height", options.height, "Height of the window")
+      ->type_name("N")
+      ->check(CLI::Range(240, 16384).description(""))
+      ->capture_default_str();
+  command->add_option("--scale", options.scale, "Size of letters and controls [as the display asks]")
+      ->type_name("X")
+      ->check(CLI::Range(0.5, 4.0).description(""));
+  command->add_option("--until", options.until, "Play at once, and close the window at this time, s")
+      ->type_name("T")
+      ->check(CLI::PositiveNumber.description(""));
+  command->add_option("--out", options.out, "Folder of pictures [out/<scene>/view or RUN/view]")
+      ->type_name("DIR");
+  command->callback([&line] { line.command = [&line] { return view_command(line.view, std::cout); }; });
 }
 
 void add_validate(CLI::App& app, CommandLine& line) {
@@ -259,6 +288,7 @@ int run_program(int argc, const char* const* argv) {
     add_run(app, line);
     add_check(app, line);
     add_render(app, line);
+    add_view(app, line);
     add_video(app, line);
     add_validate(app, line);
     add_pareto(app, line);

@@ -59,6 +59,21 @@ struct VideoOptions {
 /// Joins the frames of a run to videos. Throws InputError if there are none, or no ffmpeg.
 [[nodiscard]] int video_command(const VideoOptions& options, std::ostream& out);
 
+struct ViewOptions {
+  std::filesystem::path subject;  ///< scene file, or folder of a run
+  std::vector<std::string> overrides;
+  int threads = 1;
+  int width = 1280;                          ///< of the window
+  int height = 760;                          ///< of the window
+  double scale = 0.0;                        ///< of letters and controls; 0: as the display asks
+  std::optional<double> until;               ///< s: plays at once, and closes the window there
+  std::optional<std::filesystem::path> out;  ///< of pictures and the log; default out/<scene>/view, RUN/view
+};
+
+/// Opens a window on a running simulation or on the saved states of a run. Throws InputError when there is no
+/// display, and BlowUpError after a simulation that blew up.
+[[nodiscard]] int view_command(const ViewOptions& options, std::ostream& out);
+
 struct ValidateOptions {
   std::vector<std::string> cases;  ///< names; empty: all of the mode
   bool quick = false;              ///< short runs; the default

@@ -6,6 +6,7 @@
 #include "render/frame_renderer.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,11 @@ class FrameStage {
                            const std::vector<GaugeCurve>& curves = {});
 
  private:
-  [[nodiscard]] bool needs_depth(const ImageSettings& settings) const;
+  /// Whether it holds for the picture, or for one of the panels.
+  [[nodiscard]] bool any_picture(const ImageSettings& settings,
+                                 const std::function<bool(const ImageSettings&)>& is) const;
 
+  Scene scene_;
   std::vector<ImageSettings> images_;
   DepthGridBuilder depth_builder_;
   FrameRenderer renderer_;

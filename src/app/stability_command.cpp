@@ -13,6 +13,7 @@
 #include "scheme/simulation.hpp"
 
 #include <chrono>
+#include <iterator>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -79,8 +80,9 @@ int stability_command(const StabilityOptions& options, std::ostream& out) {
   atlas.schemes = choose_by_text(
       "stability --only", stability_schemes(), [](const StabilityScheme& scheme) { return scheme.name; },
       options.only);
-  atlas.step_factors =
-      options.full ? std::vector<double>{0.5, 1.0, 1.5, 2.0, 3.0} : std::vector<double>{1.0, 2.0};
+  atlas.step_factors = options.full
+                           ? std::vector<double>(std::begin(kFullStepFactors), std::end(kFullStepFactors))
+                           : std::vector<double>(std::begin(kQuickStepFactors), std::end(kQuickStepFactors));
   atlas.spacing_factors = options.full ? std::vector<double>{1.0, 0.5} : std::vector<double>{1.0};
   require_gnuplot();
   create_folder(options.out);

@@ -106,6 +106,32 @@ void VirtualParticles<Dim>::add_node(const std::array<double, Dim>& offset,
 }
 
 template <int Dim>
+std::vector<std::array<double, Dim>> VirtualParticles<Dim>::lattice_points() const {
+  std::vector<std::array<double, Dim>> points;
+  for (const Wall& wall : walls_) {
+    std::array<long, Dim> count{};
+    std::size_t nodes = 1;
+    for (int d = 0; d < Dim; ++d) {
+      count[d] = d == wall.axis ? 1 : std::lround(std::floor(extent_[d] / spacing_ + 1e-9)) + 1;
+      nodes *= static_cast<std::size_t>(count[d]);
+    }
+    points.reserve(points.size() + nodes);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      std::size_t rest = n;
+      std::array<double, Dim> point;
+      for (int d = 0; d < Dim; ++d) {
+        const auto along = static_cast<std::size_t>(count[d]);
+        const double from_origin = spacing_ * static_cast<double>(rest % along);
+        rest /= along;
+        point[d] = d == wall.axis ? wall.position : std::abs(origin_[d] - from_origin);
+      }
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+template <int Dim>
 std::uint64_t VirtualParticles<Dim>::count() const {
   std::uint64_t sum = 0;
   if (form_ == RepulsionForm::Even) return sum;

@@ -39,6 +39,8 @@ class VirtualParticles {
   [[nodiscard]] bool empty() const { return walls_.empty(); }
   /// Adds the acceleration, m/s^2, at `position`, m from the domain's lower corner.
   void add_acceleration(const std::array<double, Dim>& position, std::array<double, Dim>& acceleration) const;
+  /// The points of the lattice on the walls, m from the domain's lower corner, whatever the form.
+  [[nodiscard]] std::vector<std::array<double, Dim>> lattice_points() const;
   /// Number of lattice points on the walls; none with the even form.
   [[nodiscard]] std::uint64_t count() const;
 

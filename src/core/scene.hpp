@@ -194,6 +194,14 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// Box outside of which a picture shows neither particles nor solids.
+struct ClipBox {
+  Vec3d min = Vec3d::Zero();  ///< m
+  Vec3d max = Vec3d::Zero();  ///< m
+
+  bool operator==(const ClipBox&) const = default;
+};
+
 enum class ImageKind { Particles, DepthMap, Panels };
 /// What a particle picture makes of the water.
 enum class WaterStyle { Spheres, Surface };
@@ -216,9 +224,13 @@ struct ImageSettings {
   bool mirror = false;                         ///< depth map: draw the mirror image across symmetry planes
   bool draw_walls = true;
   bool draw_obstacles = true;
-  bool glass = true;  ///< particles, three dimensions: walls are panes of glass, not mere outlines
-  bool shadow =
-      true;  ///< particles, three dimensions: water and solids darken the floor below and beside them
+  bool glass = true;   ///< particles, three dimensions: walls are panes of glass, not mere outlines
+  bool shadow = true;  ///< particles, three dimensions: water and solids darken the floor about them
+  bool draw_fluid = true;
+  bool draw_objects = false;            ///< object particles one by one
+  bool draw_ghosts = false;             ///< ghost particles
+  bool draw_virtual_particles = false;  ///< of the walls
+  std::optional<ClipBox> clip;          ///< particles: shows what is inside
   bool dark_background = false;
   std::vector<std::string> panels;  ///< of panels: the images in it, by name
   std::vector<std::string> gauges;  ///< of panels: the gauges whose surface is drawn over time

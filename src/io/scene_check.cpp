@@ -133,6 +133,18 @@ void check_shallow_water(const Scene& scene, const TomlSource& source) {
   }
 }
 
+void check_clip(const ClipBox& clip, ImageKind kind, int dimension, const std::string& path,
+                const TomlSource& source) {
+  if (kind != ImageKind::Particles) {
+    source.fail(path, "only particles are clipped; clip is only accepted with kind = \"particles\"");
+  }
+  for (int d = 0; d < 3; ++d) {
+    if ((dimension == 2 && d == 1) || clip.min[d] < clip.max[d]) continue;
+    source.fail(path + ".max", write_vector(clip.max, dimension),
+                "expected a point beyond min in every direction");
+  }
+}
+
 void check_camera(const Camera& camera, const std::string& path, const TomlSource& source) {
   const Vec3d view = camera.target - camera.eye;
   if (view.norm() == 0.0) {
@@ -199,6 +211,7 @@ void check_images(const Scene& scene, const TomlSource& source) {
       source.fail(path + ".colour_map", write_text(image.colour_map),
                   fmt::format("unknown colour map; expected one of {}", fmt::join(colour_maps, ", ")));
     }
+    if (image.clip) check_clip(*image.clip, image.kind, scene.dimension, path + ".clip", source);
     if (!image.camera) continue;
     if (image.kind == ImageKind::Panels) {
       source.fail(path + ".camera",

@@ -196,7 +196,7 @@ KeyTable<SchemeSettings> scheme_keys() {
   keys.number("sound_speed", "m/s", &SchemeSettings::sound_speed, at_least(0.0),
               "Speed of sound c0 of wcsph and delta_sph.")
       .fallback("10 Umax, Umax the larger of sqrt(2 g H) and the initial speed");
-  keys.number("courant", "", &SchemeSettings::courant, above_to(0.0, 4.0),
+  keys.number("courant", "", &SchemeSettings::courant, above_to(0.0, 10.0),
               "Adaptive time step of wcsph and delta_sph, dt (c0 + Umax) / h.")
       .fallback("0.25, predictor_corrector 0.4, runge_kutta 1.5");
   keys.number("diffusion", "", &SchemeSettings::diffusion, between(0.0, 1.0),

@@ -320,6 +320,16 @@ KeyTable<ImageSettings> image_keys() {
       .when(space, is_space);
   keys.boolean("shadow", &ImageSettings::shadow, "Draw the soft shadow of water and solids on the floor.")
       .when(space, is_space);
+  const auto add_particle_key = [&](const char* name, bool ImageSettings::*field, const char* meaning) {
+    keys.boolean(name, field, meaning).when(particles, is(ImageKind::Particles));
+  };
+  add_particle_key("draw_fluid", &ImageSettings::draw_fluid, "Draw the fluid particles.");
+  add_particle_key("draw_objects", &ImageSettings::draw_objects,
+                   "Draw object particles one by one; with field = \"kind\" they always are.");
+  add_particle_key("draw_ghosts", &ImageSettings::draw_ghosts,
+                   "Draw ghost particles, the mirror images of the fluid beyond the walls.");
+  add_particle_key("draw_virtual_particles", &ImageSettings::draw_virtual_particles,
+                   "Draw the lattice of virtual particles on the walls.");
   keys.choice<bool>("background", &ImageSettings::dark_background, {{"light", false}, {"dark", true}},
                     "Background.");
   add_names(keys, "panels", &ImageSettings::panels,
@@ -329,6 +339,11 @@ KeyTable<ImageSettings> image_keys() {
             "Gauges whose free surface is drawn over time up to the present, by name.")
       .when(panels, is(ImageKind::Panels));
   add_schedule_keys(keys, "", &ImageSettings::schedule, "frames", "without both: as in [output]");
+  KeyTable<ClipBox> clip;
+  clip.vector("min", "m", &ClipBox::min, "Lower corner.").required();
+  clip.vector("max", "m", &ClipBox::max, "Upper corner.").required();
+  keys.optional_section("clip", &ImageSettings::clip, clip,
+                        "Shows only what is inside this box. Only with kind = \"particles\".");
   keys.optional_section(
       "camera", &ImageSettings::camera, camera_keys(),
       "Default: the whole domain from the front and above. Only with kind = \"particles\".");

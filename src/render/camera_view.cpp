@@ -166,15 +166,25 @@ Bounds drawn_bounds(const Scene& scene) {
   return {box.lower.array() - reach, box.upper.array() + reach};
 }
 
-Camera default_camera(const Scene& scene, int frame_height, int picture_width, int picture_height) {
+Camera fitted_camera(const Scene& scene, const Vec3d& towards_eye, const Vec3d& up, Projection projection,
+                     int frame_height, int picture_width, int picture_height) {
   const Bounds box = framed_bounds(scene);
-  if (scene.dimension == 2) return front_camera(box, frame_height, picture_width, picture_height);
   Camera camera;
   camera.field_of_view = 28.0;
-  const Vec3d direction = Vec3d(0.42, -1.0, 0.78).normalized();
+  camera.up = up;
+  const Vec3d direction = towards_eye.normalized();
   const double focal_length = focal_length_of(camera, frame_height);
   double distance = 2.0 * (box.upper - box.lower).norm();
   camera.target = 0.5 * (box.lower + box.upper);
+  if (projection == Projection::Orthographic) {
+    camera.projection = projection;
+    camera.eye = camera.target + distance * direction;
+    const Eigen::Vector4d extent = extent_in_picture(camera, box, 1.0);
+    camera.orthographic_height =
+        frame_height * std::max((extent[2] - extent[0]) / (kFilling * picture_width),
+                                (extent[3] - extent[1]) / (kFilling * picture_height));
+    return camera;
+  }
   // Each round centres the box and takes the distance at which it would fill the picture.
   for (int round = 0; round < 30; ++round) {
     camera.eye = camera.target + distance * direction;
@@ -188,6 +198,13 @@ Camera default_camera(const Scene& scene, int frame_height, int picture_width, i
   }
   camera.eye = camera.target + distance * direction;
   return camera;
+}
+
+Camera default_camera(const Scene& scene, int frame_height, int picture_width, int picture_height) {
+  if (scene.dimension == 2)
+    return front_camera(framed_bounds(scene), frame_height, picture_width, picture_height);
+  return fitted_camera(scene, Vec3d(0.42, -1.0, 0.78), Vec3d::UnitZ(), Projection::Perspective, frame_height,
+                       picture_width, picture_height);
 }
 
 }  // namespace eisph

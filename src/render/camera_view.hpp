@@ -59,6 +59,10 @@ class CameraView {
 [[nodiscard]] Bounds framed_bounds(const Scene& scene);
 /// The domain and all solids: nothing beyond is drawn.
 [[nodiscard]] Bounds drawn_bounds(const Scene& scene);
+/// Camera that shows framed_bounds from the direction of `towards_eye`, with `up` upwards in the picture.
+[[nodiscard]] Camera fitted_camera(const Scene& scene, const Vec3d& towards_eye, const Vec3d& up,
+                                   Projection projection, int frame_height, int picture_width,
+                                   int picture_height);
 /// Camera that shows framed_bounds: from the front, side and above, or the front for two dimensions.
 [[nodiscard]] Camera default_camera(const Scene& scene, int frame_height, int picture_width,
                                     int picture_height);

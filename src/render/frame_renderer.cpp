@@ -40,7 +40,8 @@ std::string time_text(double time) {
 
 class FrameRenderer::Parts {
  public:
-  Parts(const Scene& scene, const ParticlePictureOptions& options) : scene_(scene), options_(options) {
+  Parts(const Scene& scene, const ParticlePictureOptions& options, std::shared_ptr<GlContext> context)
+      : scene_(scene), options_(options), context_(std::move(context)) {
     const auto particles = [](const ImageSettings& image) { return image.kind == ImageKind::Particles; };
     if (std::any_of(scene.images.begin(), scene.images.end(), particles)) particle_picture();
   }
@@ -50,22 +51,43 @@ class FrameRenderer::Parts {
   }
 
   Image draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
-             const std::vector<GaugeCurve>& curves) {
+             const std::vector<GaugeCurve>& curves, const BoundaryParticles& boundary) {
+    boundary_ = &boundary;
     const std::string time = time_text(snapshot.time);
     if (settings.kind == ImageKind::Panels) return draw_panels(settings, snapshot, depth, curves, time);
     return draw_frame(settings, snapshot, depth, time, 0, {});
   }
 
- private:
-  ParticlePicture& particle_picture() {
-    if (!particle_picture_) particle_picture_.emplace(scene_, create_context(options_.context), options_);
-    return *particle_picture_;
+  GLuint paint(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+               const BoundaryParticles& boundary, int width, int height) {
+    const Camera camera = settings.camera ? *settings.camera : default_camera(scene_, height, width, height);
+    const CameraView view(camera, height, width, height, drawn_bounds(scene_));
+    return particle_picture()
+        .paint(settings, view, width, height, snapshot, depth, boundary, map_of(settings),
+               field_scale(scene_, settings))
+        .name();
   }
 
   const ColourMap& colour_map(const std::string& name) {
     const auto found = colour_maps_.find(name);
     return found != colour_maps_.end() ? found->second
                                        : colour_maps_.emplace(name, ColourMap::load(name)).first->second;
+  }
+
+ private:
+  ParticlePicture& particle_picture() {
+    if (!particle_picture_) {
+      if (!context_) context_ = create_context(options_.context);
+      particle_picture_.emplace(scene_, context_, options_);
+    }
+    return *particle_picture_;
+  }
+
+  ColourMap map_of(const ImageSettings& settings) {
+    const Palette colours = palette(settings.dark_background);
+    const bool kinds = settings.kind == ImageKind::Particles && settings.field == "kind";
+    return kinds ? ColourMap::two_colours(colours.fluid_kind, colours.object_kind)
+                 : colour_map(colour_map_name(settings));
   }
 
   [[nodiscard]] const std::string& title() const { return scene_.title.empty() ? scene_.name : scene_.title; }
@@ -77,8 +99,7 @@ class FrameRenderer::Parts {
     const FieldScale scale = field_scale(scene_, settings);
     const Palette colours = palette(settings.dark_background);
     const bool kinds = settings.kind == ImageKind::Particles && settings.field == "kind";
-    const ColourMap map = kinds ? ColourMap::two_colours(colours.fluid_kind, colours.object_kind)
-                                : colour_map(colour_map_name(settings));
+    const ColourMap map = map_of(settings);
     const FrameLayout layout = lay_out_frame(
         settings.width, settings.height, typeface_,
         {.time = time, .legend_label = scale.label, .caption = settings.caption, .text_height = text_height});
@@ -89,8 +110,11 @@ class FrameRenderer::Parts {
     draw_length_scale(frame, layout, typeface_, colours, length);
     draw_caption(frame, layout, typeface_, colours);
     if (kinds) {
-      draw_kinds(frame, layout, typeface_, colours, scale.label,
-                 {{"fluid", colours.fluid_kind}, {"object", colours.object_kind}});
+      std::vector<std::pair<std::string, Colour>> sorts = {{"fluid", colours.fluid_kind},
+                                                           {"object", colours.object_kind}};
+      if (settings.draw_ghosts) sorts.emplace_back("ghost", colours.ghost_kind);
+      if (settings.draw_virtual_particles) sorts.emplace_back("virtual", colours.virtual_kind);
+      draw_kinds(frame, layout, typeface_, colours, scale.label, sorts);
     } else if (!scale.label.empty()) {
       const bool map_of_depth = settings.kind == ImageKind::DepthMap;
       const double bare_below = map_of_depth ? settings.dry_depth : std::numeric_limits<double>::lowest();
@@ -204,8 +228,8 @@ class FrameRenderer::Parts {
                               : default_camera(scene_, settings.height, place.width, place.height);
     const CameraView view(camera, settings.height, place.width, place.height, drawn_bounds(scene_));
     ParticlePicture& picture = particle_picture();
-    paste(frame, picture.draw(settings, view, place.width, place.height, snapshot, depth, map, scale),
-          place.x, place.y);
+    picture.paint(settings, view, place.width, place.height, snapshot, depth, *boundary_, map, scale);
+    paste(frame, picture.read(), place.x, place.y);
     LengthScale length = length_scale(view.pixels_per_metre(), place.width, layout.scale.width);
     const std::string text = length.texts.front();
     length.texts.clear();
@@ -221,21 +245,31 @@ class FrameRenderer::Parts {
 
   Scene scene_;
   ParticlePictureOptions options_;
+  std::shared_ptr<GlContext> context_;
+  const BoundaryParticles* boundary_ = nullptr;  ///< of the frame in hand
   Typeface typeface_;
   std::map<std::string, ColourMap> colour_maps_;
   std::optional<ParticlePicture> particle_picture_;
 };
 
-FrameRenderer::FrameRenderer(const Scene& scene, const ParticlePictureOptions& options)
-    : parts_(std::make_unique<Parts>(scene, options)) {}
+FrameRenderer::FrameRenderer(const Scene& scene, const ParticlePictureOptions& options,
+                             std::shared_ptr<GlContext> context)
+    : parts_(std::make_unique<Parts>(scene, options, std::move(context))) {}
 
 FrameRenderer::~FrameRenderer() = default;
 
 std::string FrameRenderer::context_description() const { return parts_->context_description(); }
 
+const ColourMap& FrameRenderer::colour_map(const std::string& name) { return parts_->colour_map(name); }
+
 Image FrameRenderer::draw(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
-                          const std::vector<GaugeCurve>& curves) {
-  return parts_->draw(settings, snapshot, depth, curves);
+                          const std::vector<GaugeCurve>& curves, const BoundaryParticles& boundary) {
+  return parts_->draw(settings, snapshot, depth, curves, boundary);
+}
+
+GLuint FrameRenderer::paint(const ImageSettings& settings, const Snapshot& snapshot, const DepthGrid& depth,
+                            const BoundaryParticles& boundary, int width, int height) {
+  return parts_->paint(settings, snapshot, depth, boundary, width, height);
 }
 
 }  // namespace eisph

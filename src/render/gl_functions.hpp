@@ -33,6 +33,7 @@ namespace eisph {
   X(Disable, PFNGLDISABLEPROC)                                 \
   X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
   X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)         \
+  X(DrawElementsBaseVertex, PFNGLDRAWELEMENTSBASEVERTEXPROC)   \
   X(Enable, PFNGLENABLEPROC)                                   \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
   X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
@@ -51,6 +52,7 @@ namespace eisph {
   X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
   X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
   X(ReadPixels, PFNGLREADPIXELSPROC)                           \
+  X(Scissor, PFNGLSCISSORPROC)                                 \
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
   X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \

@@ -16,6 +16,7 @@ class OffscreenTarget {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] const GlTexture& colour() const { return colour_; }
   [[nodiscard]] const GlTexture& depth() const { return depth_; }
+  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
   /// Directs drawing here and clears.
   void begin(const Colour& background) const;

@@ -18,6 +18,8 @@ struct Palette {
   Colour glass;        ///< what panes of glass mirror
   Colour fluid_kind;   ///< field "kind"
   Colour object_kind;  ///< field "kind"
+  Colour ghost_kind;
+  Colour virtual_kind;
 };
 
 [[nodiscard]] inline Palette palette(bool dark_background) {
@@ -32,7 +34,9 @@ struct Palette {
                   .gate = {0.82F, 0.52F, 0.30F},
                   .glass = {0.66F, 0.78F, 0.82F},
                   .fluid_kind = {0.22F, 0.47F, 0.76F},
-                  .object_kind = {0.86F, 0.55F, 0.20F}};
+                  .object_kind = {0.86F, 0.55F, 0.20F},
+                  .ghost_kind = {0.62F, 0.66F, 0.72F},
+                  .virtual_kind = {0.55F, 0.30F, 0.52F}};
   if (dark_background) {
     colours.page = {0.09F, 0.10F, 0.12F};
     colours.text = {0.93F, 0.93F, 0.94F};

@@ -100,4 +100,16 @@ std::vector<std::uint32_t> visible_particles(const Snapshot& snapshot, const Cam
   return particles;
 }
 
+bool is_within(const std::optional<ClipBox>& clip, const Vec3f& point) {
+  if (!clip) return true;
+  const Vec3d at = point.cast<double>();
+  return (at.array() >= clip->min.array()).all() && (at.array() <= clip->max.array()).all();
+}
+
+std::vector<std::uint32_t> particles_within(const Snapshot& snapshot, const std::optional<ClipBox>& clip) {
+  std::vector<std::uint32_t> particles = finite_particles(snapshot);
+  std::erase_if(particles, [&](std::uint32_t k) { return !is_within(clip, snapshot.position[k]); });
+  return particles;
+}
+
 }  // namespace eisph

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/scene.hpp"
 #include "core/snapshot.hpp"
 #include "render/camera_view.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace eisph {
@@ -17,5 +19,11 @@ namespace eisph {
 
 /// Indices of all particles with a finite position.
 [[nodiscard]] std::vector<std::uint32_t> finite_particles(const Snapshot& snapshot);
+
+/// Whether the box, if there is one, holds the point (m).
+[[nodiscard]] bool is_within(const std::optional<ClipBox>& clip, const Vec3f& point);
+/// Indices of the particles with a finite position within the box, if there is one.
+[[nodiscard]] std::vector<std::uint32_t> particles_within(const Snapshot& snapshot,
+                                                          const std::optional<ClipBox>& clip);
 
 }  // namespace eisph

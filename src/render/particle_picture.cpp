@@ -19,6 +19,12 @@ constexpr float kShadingStrength = 1.1F;         ///< of spheres
 constexpr float kSurfaceShadingStrength = 0.4F;  ///< of transparent water, which has lights of its own
 constexpr int kShadingReach = 3;                 ///< pixels
 
+/// Of a particle drawn as a sphere, m.
+float sphere_radius(const Snapshot& snapshot) {
+  const float factor = snapshot.dimension == 3 ? kSphereRadius : kDiscRadius;
+  return factor * static_cast<float>(snapshot.particle_spacing);
+}
+
 const GlFunctions& current(GlContext& context) {
   context.make_current();
   return context.functions();
@@ -32,7 +38,7 @@ void fit(std::optional<OffscreenTarget>& target, const GlFunctions& gl, int widt
 
 }  // namespace
 
-ParticlePicture::ParticlePicture(const Scene& scene, std::unique_ptr<GlContext> context,
+ParticlePicture::ParticlePicture(const Scene& scene, std::shared_ptr<GlContext> context,
                                  const ParticlePictureOptions& options)
     : scene_(scene),
       context_(std::move(context)),
@@ -51,9 +57,10 @@ std::string ParticlePicture::context_description() const {
   return context_->description();
 }
 
-Image ParticlePicture::draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
-                            const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
-                            const FieldScale& scale) {
+const GlTexture& ParticlePicture::paint(const ImageSettings& settings, const CameraView& camera, int width,
+                                        int height, const Snapshot& snapshot, const DepthGrid& depth,
+                                        const BoundaryParticles& boundary, const ColourMap& map,
+                                        const FieldScale& scale) {
   const GlFunctions& gl = current(*context_);
   const Palette colours = palette(settings.dark_background);
   fit(samples_, gl, options_.samples_per_pixel * width, options_.samples_per_pixel * height);
@@ -63,16 +70,29 @@ Image ParticlePicture::draw(const ImageSettings& settings, const CameraView& cam
   gl.Enable(GL_PROGRAM_POINT_SIZE);
   gl.DepthFunc(GL_LEQUAL);
   if (settings.draw_walls) draw_floor(settings, camera, colours, snapshot);
-  if (settings.draw_obstacles && settings.field != "kind") draw_solids(camera, colours, snapshot.time);
+  if (settings.draw_obstacles && settings.field != "kind") {
+    solid_painter_.set_clip(settings.clip);
+    draw_solids(camera, colours, snapshot.time);
+    solid_painter_.set_clip({});
+  }
+  draw_other_particles(settings, camera, snapshot, boundary);
   const OffscreenTarget* samples = &*samples_;
-  if (settings.style == WaterStyle::Surface && scene_.dimension == 3) {
-    samples = &draw_surface(settings, camera, snapshot, depth, map, scale);
-  } else {
-    draw_particles(settings, camera, snapshot, depth, map, scale);
+  if (settings.draw_fluid) {
+    if (settings.style == WaterStyle::Surface && scene_.dimension == 3) {
+      samples = &draw_surface(settings, camera, snapshot, depth, map, scale);
+    } else {
+      draw_particles(settings, camera, snapshot, depth, map, scale);
+    }
   }
   if (settings.draw_walls) draw_walls(settings, camera, colours);
   const float shading = samples == &*samples_ ? kShadingStrength : kSurfaceShadingStrength;
-  return resolve(*samples, shading, camera, colours, width, height);
+  resolve(*samples, shading, camera, colours, width, height);
+  return pixels_->colour();
+}
+
+Image ParticlePicture::read() const {
+  context_->make_current();
+  return pixels_->read();
 }
 
 void ParticlePicture::draw_floor(const ImageSettings& settings, const CameraView& camera,
@@ -132,34 +152,58 @@ void ParticlePicture::draw_solids(const CameraView& camera, const Palette& colou
   }
 }
 
+/// Those that the camera can see of what is not cut away.
+std::vector<std::uint32_t> ParticlePicture::particles_seen(const ImageSettings& settings,
+                                                           const CameraView& camera,
+                                                           const Snapshot& snapshot) const {
+  // What hides others may be cut away.
+  const bool cull = options_.cull_interior && snapshot.dimension == 3 && !settings.clip;
+  return cull ? visible_particles(snapshot, camera, scene_.domain_min.z())
+              : particles_within(snapshot, settings.clip);
+}
+
 void ParticlePicture::draw_particles(const ImageSettings& settings, const CameraView& camera,
                                      const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
                                      const FieldScale& scale) const {
-  const bool cull = options_.cull_interior && snapshot.dimension == 3;
-  const std::vector<std::uint32_t> chosen =
-      cull ? visible_particles(snapshot, camera, scene_.domain_min.z()) : finite_particles(snapshot);
+  const std::vector<std::uint32_t> chosen = particles_seen(settings, camera, snapshot);
   const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
   std::vector<ParticleVertex> vertices(chosen.size());
   for (std::size_t k = 0; k < chosen.size(); ++k) vertices[k] = {snapshot.position[chosen[k]], values[k]};
-  const float factor = snapshot.dimension == 3 ? kSphereRadius : kDiscRadius;
-  const auto radius = factor * static_cast<float>(snapshot.particle_spacing);
-  particle_painter_.draw(camera, options_.samples_per_pixel, vertices, radius, map, scale.lower, scale.upper);
-  if (settings.field != "kind" || !settings.draw_obstacles || !snapshot.objects) return;
-  std::vector<ParticleVertex> objects;
-  for (const Vec3f& position : snapshot.objects->position) objects.push_back({position, 1.0F});
-  particle_painter_.draw(camera, options_.samples_per_pixel, objects, radius, map, scale.lower, scale.upper);
+  particle_painter_.draw(camera, options_.samples_per_pixel, vertices, sphere_radius(snapshot), map,
+                         scale.lower, scale.upper);
+}
+
+/// Object, ghost and virtual particles, each sort in its own colour.
+void ParticlePicture::draw_other_particles(const ImageSettings& settings, const CameraView& camera,
+                                           const Snapshot& snapshot,
+                                           const BoundaryParticles& boundary) const {
+  const Palette colours = palette(settings.dark_background);
+  const auto draw = [&](const std::vector<Vec3f>& positions, float radius, const Colour& colour) {
+    std::vector<ParticleVertex> vertices;
+    vertices.reserve(positions.size());
+    for (const Vec3f& position : positions) {
+      if (is_within(settings.clip, position)) vertices.push_back({position, 0.0F});
+    }
+    particle_painter_.draw(camera, options_.samples_per_pixel, vertices, radius,
+                           ColourMap::two_colours(colour, colour), 0.0, 1.0);
+  };
+  const float radius = sphere_radius(snapshot);
+  const bool objects = settings.draw_objects || (settings.field == "kind" && settings.draw_obstacles);
+  if (objects && snapshot.objects) draw(snapshot.objects->position, radius, colours.object_kind);
+  draw(boundary.ghosts, radius, colours.ghost_kind);
+  // Twice as many to a length.
+  draw(boundary.virtual_particles, 0.5F * radius, colours.virtual_kind);
 }
 
 const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settings, const CameraView& camera,
                                                      const Snapshot& snapshot, const DepthGrid& depth,
                                                      const ColourMap& map, const FieldScale& scale) {
   if (!fluid_surface_) fluid_surface_.emplace(context_->functions(), home_folder() / "shaders");
-  const std::vector<std::uint32_t> finite = finite_particles(snapshot);
-  std::vector<Vec3f> all(finite.size());
-  std::transform(finite.begin(), finite.end(), all.begin(),
+  const std::vector<std::uint32_t> within = particles_within(snapshot, settings.clip);
+  std::vector<Vec3f> all(within.size());
+  std::transform(within.begin(), within.end(), all.begin(),
                  [&](std::uint32_t i) { return snapshot.position[i]; });
-  const std::vector<std::uint32_t> chosen =
-      options_.cull_interior ? visible_particles(snapshot, camera, scene_.domain_min.z()) : finite;
+  const std::vector<std::uint32_t> chosen = particles_seen(settings, camera, snapshot);
   const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
   std::vector<SurfaceVertex> shown(chosen.size());
   for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -175,8 +219,8 @@ const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settin
                                .dark = settings.dark_background});
 }
 
-Image ParticlePicture::resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
-                               const Palette& colours, int width, int height) {
+void ParticlePicture::resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
+                              const Palette& colours, int width, int height) {
   const GlFunctions& gl = context_->functions();
   pixels_->begin(colours.page);
   gl.Disable(GL_DEPTH_TEST);
@@ -198,7 +242,6 @@ Image ParticlePicture::resolve(const OffscreenTarget& samples, float shading, co
   gl.BindVertexArray(resolve_array_.name());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   gl.ActiveTexture(GL_TEXTURE0);
-  return pixels_->read();
 }
 
 }  // namespace eisph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/boundary_particles.hpp"
 #include "core/depth_grid.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
@@ -23,18 +24,22 @@
 
 namespace eisph {
 
-/// The part of a frame that shows particles, walls and solids. Owns its GL context.
+/// The part of a frame that shows particles, walls and solids.
 class ParticlePicture {
  public:
-  ParticlePicture(const Scene& scene, std::unique_ptr<GlContext> context,
+  ParticlePicture(const Scene& scene, std::shared_ptr<GlContext> context,
                   const ParticlePictureOptions& options);
   ParticlePicture(const ParticlePicture&) = delete;
   ParticlePicture& operator=(const ParticlePicture&) = delete;
   ~ParticlePicture();
 
-  /// Image of width x height pixels as `camera` sees it. `map` spans the scale.
-  Image draw(const ImageSettings& settings, const CameraView& camera, int width, int height,
-             const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map, const FieldScale& scale);
+  /// Draws width x height pixels as `camera` sees the state. `map` spans the scale. The texture holds the
+  /// picture until the next one is drawn; its first row is the lowest.
+  const GlTexture& paint(const ImageSettings& settings, const CameraView& camera, int width, int height,
+                         const Snapshot& snapshot, const DepthGrid& depth, const BoundaryParticles& boundary,
+                         const ColourMap& map, const FieldScale& scale);
+  /// The picture that paint() drew last.
+  [[nodiscard]] Image read() const;
 
   [[nodiscard]] std::string context_description() const;
 
@@ -49,16 +54,21 @@ class ParticlePicture {
   void draw_solids(const CameraView& camera, const Palette& colours, double time) const;
   void draw_particles(const ImageSettings& settings, const CameraView& camera, const Snapshot& snapshot,
                       const DepthGrid& depth, const ColourMap& map, const FieldScale& scale) const;
+  void draw_other_particles(const ImageSettings& settings, const CameraView& camera, const Snapshot& snapshot,
+                            const BoundaryParticles& boundary) const;
+  [[nodiscard]] std::vector<std::uint32_t> particles_seen(const ImageSettings& settings,
+                                                          const CameraView& camera,
+                                                          const Snapshot& snapshot) const;
   /// Draws the water over what is in samples_; the picture with it.
   const OffscreenTarget& draw_surface(const ImageSettings& settings, const CameraView& camera,
                                       const Snapshot& snapshot, const DepthGrid& depth, const ColourMap& map,
                                       const FieldScale& scale);
   /// `shading` is the strength of the darkening behind edges.
-  Image resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
-                const Palette& colours, int width, int height);
+  void resolve(const OffscreenTarget& samples, float shading, const CameraView& camera,
+               const Palette& colours, int width, int height);
 
   Scene scene_;
-  std::unique_ptr<GlContext> context_;
+  std::shared_ptr<GlContext> context_;
   ParticlePictureOptions options_;
   double grid_spacing_;
   SolidMesh obstacles_;

@@ -33,6 +33,9 @@ class ShaderProgram {
   void set(const char* name, const Colour& value) const {
     gl_.Uniform3f(location(name), value.red, value.green, value.blue);
   }
+  void set(const char* name, const Eigen::Vector3f& value) const {
+    gl_.Uniform3f(location(name), value.x(), value.y(), value.z());
+  }
   void set(const char* name, const Eigen::Matrix4f& value) const {
     gl_.UniformMatrix4fv(location(name), 1, GL_FALSE, value.data());
   }

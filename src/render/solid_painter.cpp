@@ -42,6 +42,16 @@ SolidPainter::SolidPainter(const GlFunctions& gl, const std::filesystem::path& s
   gl.VertexAttribDivisor(1, 1);
 }
 
+void SolidPainter::set_clip(const std::optional<ClipBox>& clip) { clip_ = clip; }
+
+void SolidPainter::use_clip(const ShaderProgram& program) const {
+  constexpr float kEverywhere = 1e30F;
+  const Vec3f lower = clip_ ? Vec3f(clip_->min.cast<float>()) : Vec3f::Constant(-kEverywhere);
+  const Vec3f upper = clip_ ? Vec3f(clip_->max.cast<float>()) : Vec3f::Constant(kEverywhere);
+  program.set("clip_min", lower);
+  program.set("clip_max", upper);
+}
+
 void SolidPainter::draw_surface(const CameraView& camera, const std::vector<SolidMesh::Vertex>& triangles,
                                 const Colour& colour) const {
   if (triangles.empty()) return;
@@ -50,6 +60,7 @@ void SolidPainter::draw_surface(const CameraView& camera, const std::vector<Soli
   surface_program_.set("view", camera.view());
   surface_program_.set("projection", camera.projection());
   surface_program_.set("colour", colour);
+  use_clip(surface_program_);
   gl_.BindVertexArray(surface_array_.name());
   gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
 }
@@ -62,6 +73,7 @@ void SolidPainter::draw_edges(const CameraView& camera, const std::vector<std::a
   edge_program_.set("view", camera.view());
   edge_program_.set("projection", camera.projection());
   edge_program_.set("colour", colour);
+  use_clip(edge_program_);
   edge_program_.set("width", width);
   edge_program_.set("size", static_cast<float>(target_width), static_cast<float>(target_height));
   gl_.BindVertexArray(edge_array_.name());

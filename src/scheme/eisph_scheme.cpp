@@ -21,6 +21,12 @@ class EisphScheme final : public IncompressibleScheme<Dim> {
   EisphScheme(const Scene& scene, int threads)
       : IncompressibleScheme<Dim>(scene, threads, scene.scheme.pressure_sweeps > 1) {}
 
+  void set_parameters(const RunningParameters& parameters) override {
+    IncompressibleScheme<Dim>::set_parameters(parameters);
+    this->particles_.scene.scheme.pressure_sweeps = parameters.pressure_sweeps;
+    this->equation_.keep_source(parameters.pressure_sweeps > 1);
+  }
+
  private:
   void take_step(const StepInHand& step) override {
     this->find_neighbourhood(step);

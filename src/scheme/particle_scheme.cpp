@@ -1,5 +1,7 @@
 #include "scheme/particle_scheme.hpp"
 
+#include "scheme/time_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,15 @@ void ParticleScheme<Dim>::step(double until) {
   ++steps_;
   wall_time_loop_ += clock_.total() - before;
   cpu_time_loop_ += thread_cpu_time() - cpu_before;
+}
+
+template <int Dim>
+void ParticleScheme<Dim>::set_parameters(const RunningParameters& parameters) {
+  Scene& scene = particles_.scene;
+  scene.kinematic_viscosity = parameters.kinematic_viscosity;
+  scene.artificial_viscosity = parameters.artificial_viscosity;
+  (scene.scheme.weakly_compressible() ? scene.scheme.courant : scene.scheme.phi) = parameters.step_factor;
+  particles_.viscosity = total_viscosity(scene);
 }
 
 template <int Dim>

@@ -22,6 +22,7 @@ class ParticleScheme : public Simulation {
   [[nodiscard]] SimulationPlan plan() const final;
   void initialise() final;
   void step(double until) final;
+  void set_parameters(const RunningParameters& parameters) override;
   [[nodiscard]] double time() const final { return time_; }
   [[nodiscard]] double time_step() const final { return time_step_; }
   [[nodiscard]] std::uint64_t steps() const final { return steps_; }

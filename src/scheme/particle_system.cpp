@@ -28,7 +28,7 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
       h(scene.smoothing_length()),
       alpha(cubic_spline::normalisation<Dim>() / std::pow(h, Dim)),
       volume(std::pow(scene.particle_spacing, Dim)),
-      viscosity(scene.kinematic_viscosity + artificial_kinematic_viscosity(scene)) {
+      viscosity(total_viscosity(scene)) {
   std::array<double, Dim> cells{};
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);

@@ -96,7 +96,8 @@ struct ParticleSystem {
   std::uint32_t fluid = 0;
   std::array<AlignedBuffer<double>, Dim> position;  ///< m from the domain's lower corner
   std::array<AlignedBuffer<float>, Dim> velocity;   ///< m/s
-  AlignedBuffer<float> carried;                     ///< what else a scheme keeps from step to step
+  AlignedBuffer<float>
+      carried;  ///< a scalar of the scheme; a sort moves it into the w of the table's positions
   AlignedBuffer<std::uint32_t> id;
   double speed_max = 0.0;  ///< m/s, at the end of the last step
 

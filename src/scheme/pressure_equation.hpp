@@ -20,6 +20,7 @@ class PressureEquation {
   /// `keeps_source`: whether relax() keeps the right side for sweep_again() and solve().
   PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source)
       : particles_(particles), keeps_source_(keeps_source) {}
+  void keep_source(bool keeps) { keeps_source_ = keeps; }
 
   /// The source vectors s = omega u^n + dt a of the fluid with a = g + viscosity + repulsion.
   void set_source(double time_step);

@@ -29,6 +29,9 @@ class ShallowWaterSolver final : public Simulation {
   [[nodiscard]] SimulationPlan plan() const override;
   void initialise() override;
   void step(double until) override;
+  void set_parameters(const RunningParameters& parameters) override {
+    scene_.shallow_water.courant = parameters.step_factor;
+  }
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] double time_step() const override { return time_step_; }
   [[nodiscard]] std::uint64_t steps() const override { return steps_; }

@@ -20,6 +20,19 @@ constexpr Registration kSchemes[] = {EISPH_SCHEMES(EISPH_REGISTER)};
 
 }  // namespace
 
+RunningParameters running_parameters(const Scene& scene) {
+  RunningParameters parameters;
+  parameters.kinematic_viscosity = scene.kinematic_viscosity;
+  parameters.artificial_viscosity = scene.artificial_viscosity;
+  parameters.pressure_sweeps = scene.scheme.pressure_sweeps;
+  if (scene.scheme.name == "shallow_water") {
+    parameters.step_factor = scene.shallow_water.courant;
+  } else {
+    parameters.step_factor = scene.scheme.weakly_compressible() ? scene.scheme.courant : scene.scheme.phi;
+  }
+  return parameters;
+}
+
 std::unique_ptr<Simulation> Simulation::create(const Scene& scene, int threads) {
   std::string accepted;
   for (const Registration& scheme : kSchemes) {

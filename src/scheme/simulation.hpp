@@ -27,6 +27,19 @@ struct SimulationPlan {
   double water_volume = 0.0;    ///< m^3 (m^2 in 2D) at t = 0
 };
 
+/// What may be changed while a simulation runs; a scheme heeds what it knows.
+struct RunningParameters {
+  double kinematic_viscosity = 0.0;   ///< m^2/s
+  double artificial_viscosity = 0.0;  ///< alpha_v
+  double step_factor = 0.0;           ///< of the adaptive time step: phi, or the Courant number
+  int pressure_sweeps = 1;
+
+  bool operator==(const RunningParameters&) const = default;
+};
+
+/// The parameters that a simulation of the scene starts with.
+[[nodiscard]] RunningParameters running_parameters(const Scene& scene);
+
 /// A running simulation, of either dimension. Used by one thread; starts `threads - 1` workers of its own.
 class Simulation {
  public:
@@ -40,6 +53,8 @@ class Simulation {
   /// One time step that ends at or before `until`; the remaining time is divided into equal steps, so that
   /// `until` is met exactly (time() == until to the bit). Throws BlowUpError.
   virtual void step(double until) = 0;
+  /// From the next step on.
+  virtual void set_parameters(const RunningParameters&) {}
 
   [[nodiscard]] virtual double time() const = 0;       ///< s
   [[nodiscard]] virtual double time_step() const = 0;  ///< s, of the last step

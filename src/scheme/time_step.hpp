@@ -14,6 +14,11 @@ inline double artificial_kinematic_viscosity(const Scene& scene) {
   return scene.artificial_viscosity * scene.smoothing_length() * sound_speed / (2.0 * (scene.dimension + 2));
 }
 
+/// Of the fluid and artificial, m^2/s.
+inline double total_viscosity(const Scene& scene) {
+  return scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
+}
+
 /// Viscous limit of the time step (thesis (3.46)), s.
 inline double viscous_time_step(double smoothing_length, double viscosity) {
   return 0.5 * smoothing_length * smoothing_length / viscosity;
@@ -27,7 +32,7 @@ inline double admissible_time_step(const Scene& scene, double speed_max) {
   const double weighted = scene.scheme.reference_speed_weight * scene.reference_speed();
   const double speed = std::max({weighted, scene.initial_speed(), speed_max});
   double step = scene.scheme.phi * scene.particle_spacing / speed;
-  const double viscosity = scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
+  const double viscosity = total_viscosity(scene);
   if (viscosity > 0.0) step = std::min(step, viscous_time_step(scene.smoothing_length(), viscosity));
   return step;
 }

@@ -60,6 +60,9 @@ class SimulationDouble : public Simulation {
     return summary;
   }
 
+  void set_parameters(const RunningParameters& parameters) override { parameters_ = parameters; }
+  [[nodiscard]] const RunningParameters& parameters() const { return parameters_; }
+
   [[nodiscard]] bool initialised() const { return initialised_; }
   [[nodiscard]] int snapshots() const { return snapshots_; }
   [[nodiscard]] const std::vector<double>& step_ends() const { return step_ends_; }
@@ -71,6 +74,7 @@ class SimulationDouble : public Simulation {
   double last_step_ = 0.0;
   std::uint64_t steps_ = 0;
   bool initialised_ = false;
+  RunningParameters parameters_;
   mutable int snapshots_ = 0;
   std::vector<double> step_ends_;
 };

@@ -7,7 +7,9 @@
 #include "io/temporary_folder.hpp"
 #include "scheme/simulation.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -74,6 +76,15 @@ TEST(Stability, EveryHardSceneLoadsWithoutAWarning) {
   }
 }
 
+TEST(Stability, TheLongestStepOfEverySchemeIsAccepted) {
+  const double longest = *std::max_element(std::begin(kFullStepFactors), std::end(kFullStepFactors));
+  for (const StabilityScheme& scheme : stability_schemes()) {
+    std::vector<std::string> overrides = scheme.overrides;
+    overrides.push_back("scheme." + scheme.step_key + "=" + std::to_string(longest * scheme.step));
+    EXPECT_NO_THROW(hard_scene("hard/drop", overrides)) << scheme.name;
+  }
+}
+
 TEST(Stability, WritesTablesMapsAndAReport) {
   const TemporaryFolder folder;
   StabilityOptions options;
@@ -94,7 +105,7 @@ TEST(Stability, RunsOnlyTheSchemesAskedFor) {
   const TemporaryFolder folder;
   StabilityOptions options;
   options.cases = {"narrow_gap"};
-  options.only = {"WCSPH"};
+  options.only = {"ISPH"};
   options.out = folder.path() / "atlas";
   std::ostringstream out;
   EXPECT_EQ(stability_command(options, out), 0);

@@ -158,6 +158,37 @@ TEST_F(GoldenFrame, PanelsThatCannotBeDrawnAreRefused) {
               ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("absent")));
 }
 
+TEST_F(GoldenFrame, CutOpenAlongTheMiddle) {
+  ImageSettings settings = small();
+  settings.clip = ClipBox{{-1.0, 0.6, -1.0}, {4.0, 4.0, 2.0}};
+  expect_golden("cut", draw(furnished_tank(), settings));
+  settings.style = WaterStyle::Surface;
+  expect_golden("cut_surface", draw(furnished_tank(), settings));
+}
+
+TEST_F(GoldenFrame, OtherParticlesInTheirOwnColours) {
+  synthetic::State state = synthetic::channel(0.04);
+  auto objects = std::make_shared<ObjectParticles>();
+  BoundaryParticles boundary;
+  for (int k = 0; k < 40; ++k) {
+    const float x = 0.04F * static_cast<float>(k) + 0.02F;
+    boundary.ghosts.emplace_back(x, 0.0F, -0.02F);
+    boundary.virtual_particles.emplace_back(x, 0.0F, 0.0F);
+    objects->position.emplace_back(x, 0.0F, 0.5F);
+    objects->pressure.push_back(0.0F);
+  }
+  state.snapshot.objects = objects;
+  ImageSettings settings = small();
+  settings.field = "kind";
+  settings.draw_ghosts = true;
+  settings.draw_virtual_particles = true;
+  FrameRenderer renderer(state.scene);
+  const Image all = renderer.draw(settings, state.snapshot, state.depth, {}, boundary);
+  expect_golden("particle_kinds", all);
+  settings.draw_fluid = false;
+  EXPECT_GT(different_pixels(all, renderer.draw(settings, state.snapshot, state.depth, {}, boundary)), 0.02);
+}
+
 TEST_F(GoldenFrame, TwoDimensions) {
   expect_golden("two_dimensions", draw(synthetic::channel(0.02), small()));
 }

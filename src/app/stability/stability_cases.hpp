@@ -27,4 +27,8 @@ struct StabilityScheme {
 
 [[nodiscard]] const std::vector<StabilityScheme>& stability_schemes();
 
+/// Time steps of the atlas over the default ones of the schemes.
+inline constexpr double kQuickStepFactors[] = {1.0, 2.0};
+inline constexpr double kFullStepFactors[] = {0.5, 1.0, 1.5, 2.0, 3.0};
+
 }  // namespace eisph

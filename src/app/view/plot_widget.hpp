@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/view/probe_plots.hpp"
+
+namespace eisph {
+
+/// Draws a plot over the width that is left in the present window, `height` pixels high, with a cursor at
+/// `time` (s).
+void draw_plot(const ProbePlot& plot, double time, float height);
+
+}  // namespace eisph

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/table.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace eisph {
+
+/// Columns of one table and one unit over time.
+struct ProbePlot {
+  struct Series {
+    std::string name;
+    std::vector<double> values;  ///< not-a-number where there is none
+  };
+  std::string title;  ///< of the table
+  std::string unit;
+  std::vector<double> time;  ///< s
+  std::vector<Series> series;
+};
+
+/// The columns of a table over its column `time`, those of one unit together; nothing for tables with several
+/// rows at a time.
+[[nodiscard]] std::vector<ProbePlot> plots_of(const TableHeader& header,
+                                              const std::vector<std::vector<double>>& columns);
+
+/// Tables in memory, filled by one thread and read by another.
+class PlotTables final : public TableSink {
+ public:
+  std::size_t open_table(const TableHeader& header) override;
+  void append_row(std::size_t table, std::span<const double> row) override;
+
+  /// What has been recorded so far; the same object as long as nothing is added.
+  [[nodiscard]] std::shared_ptr<const std::vector<ProbePlot>> plots() const;
+
+ private:
+  struct Table {
+    TableHeader header;
+    std::vector<std::vector<double>> columns;
+  };
+
+  mutable std::mutex mutex_;
+  std::vector<Table> tables_;
+  std::uint64_t rows_ = 0;
+  mutable std::uint64_t plotted_rows_ = 0;
+  mutable std::shared_ptr<const std::vector<ProbePlot>> plots_ =
+      std::make_shared<const std::vector<ProbePlot>>();
+};
+
+/// The plots of all tables (.csv) in the folder of a run. Files that are no tables of numbers are left out.
+[[nodiscard]] std::vector<ProbePlot> read_plots(const std::filesystem::path& folder);
+
+}  // namespace eisph
