@@ -72,7 +72,7 @@ void main() {
 
   float way = texture(thickness, gl_FragCoord.xy / size).r;
   // The picture behind shifts with the slope and the depth of the water; not onto something before the water.
-  vec2 shift = -0.25 * normal.xy * way * focal_length / clip_w(front.r);
+  vec2 shift = -0.25 * normal.xy * min(way, 0.35 * depth_scale) * focal_length / clip_w(front.r);
   ivec2 seen = clamp(ivec2(gl_FragCoord.xy + shift), ivec2(0), ivec2(size) - 1);
   if (texelFetch(opaque_depth, seen, 0).r > depth_here) behind = texelFetch(opaque_colour, seen, 0).rgb;
 
@@ -82,9 +82,10 @@ void main() {
     float fraction = clamp((front.g - lower) / (upper - lower), 0.0, 1.0);
     float rows = float(textureSize(colour_map, 0).x);
     vec3 tint = textureLod(colour_map, vec2((0.5 + fraction * (rows - 1.0)) / rows, 0.5), 0.0).rgb;
-    colour = mix(behind, tint * brightness, 1.0 - exp(-1.2 * way / spacing));
+    colour = mix(behind, tint * brightness, 1.0 - exp(-1.2 * max(way / spacing, 1.0)));
   } else {
-    vec3 passed = exp(-absorption * way / depth_scale);
+    // Films and drops, which would be all but clear, count as thicker.
+    vec3 passed = exp(-absorption * max(way / depth_scale, 0.12));
     // What the water scatters towards the eye grows alike in all colours.
     colour = behind * passed + body * brightness * (1.0 - passed.g);
   }

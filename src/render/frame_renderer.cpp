@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,6 +35,21 @@ std::string time_text(double time) {
   };
   while (decimals < 5 && needs_more()) ++decimals;
   return fmt::format("t = {:.{}f} s", time, decimals);
+}
+
+/// The image in another size. Its camera shows no less than before, to the sides and up and down.
+ImageSettings resized(ImageSettings image, int width, int height) {
+  if (image.camera) {
+    const double fitting =
+        std::min(static_cast<double>(height), static_cast<double>(width) * image.height / image.width);
+    const double wider = height / fitting;
+    const double half = 0.5 * image.camera->field_of_view * std::numbers::pi / 180.0;
+    image.camera->field_of_view = 2.0 * std::atan(std::tan(half) * wider) * 180.0 / std::numbers::pi;
+    image.camera->orthographic_height *= wider;
+  }
+  image.width = width;
+  image.height = height;
+  return image;
 }
 
 }  // namespace
@@ -156,9 +172,7 @@ class FrameRenderer::Parts {
       }
     }
     for (std::size_t k = 0; k < settings.panels.size(); ++k) {
-      ImageSettings panel = image_named(settings.panels[k]);
-      panel.width = places[k].width;
-      panel.height = places[k].height;
+      ImageSettings panel = resized(image_named(settings.panels[k]), places[k].width, places[k].height);
       panel.dark_background = settings.dark_background;
       paste(frame, draw_frame(panel, snapshot, depth, "", text, settings.gauges), places[k].x, places[k].y);
     }

@@ -78,9 +78,10 @@ FrameLayout lay_out_frame(int width, int height, Typeface& typeface, const Frame
   const int block = bar_block_height(text);
   const int label_width = typeface.size(text).width(texts.legend_label);
   int bottom = height - margin;
-  layout.caption_lines = broken(texts.caption, typeface.size(text), inner);
+  layout.caption_height = std::max(10, text * 5 / 6);
+  layout.caption_lines = broken(texts.caption, typeface.size(layout.caption_height), inner);
   if (!layout.caption_lines.empty()) {
-    const int lines = static_cast<int>(layout.caption_lines.size()) * line_pitch(text);
+    const int lines = static_cast<int>(layout.caption_lines.size()) * line_pitch(layout.caption_height);
     layout.caption = {margin, bottom - lines, inner, lines};
     bottom -= lines + margin;
   }
@@ -197,11 +198,11 @@ void draw_kinds(Image& image, const FrameLayout& layout, Typeface& typeface, con
 }
 
 void draw_caption(Image& image, const FrameLayout& layout, Typeface& typeface, const Palette& colours) {
-  const Font& font = typeface.size(layout.text_height);
+  const Font& font = typeface.size(layout.caption_height);
   int y = layout.caption.y;
   for (const std::string& line : layout.caption_lines) {
     font.draw(image, layout.caption.x, y, line, colours.text);
-    y += line_pitch(layout.text_height);
+    y += line_pitch(layout.caption_height);
   }
 }
 

@@ -16,8 +16,9 @@ namespace eisph {
 
 /// Places of everything on a frame; no two overlap. Captions shrink with the frame.
 struct FrameLayout {
-  int text_height = 0;   ///< pixels, of ordinary text
-  int title_height = 0;  ///< pixels
+  int text_height = 0;     ///< pixels, of ordinary text
+  int caption_height = 0;  ///< pixels, of the caption's text
+  int title_height = 0;    ///< pixels
   PixelRectangle title;
   PixelRectangle time;
   PixelRectangle picture;

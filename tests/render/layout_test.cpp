@@ -94,7 +94,7 @@ TEST(FrameLayout, ACaptionIsBrokenIntoAtMostThreeLines) {
   EXPECT_THAT(narrow.caption_lines[0], ::testing::StartsWith("A caption"));
   EXPECT_THAT(narrow.caption_lines[2], ::testing::EndsWith("\u2026"));
   for (const std::string& line : narrow.caption_lines)
-    EXPECT_LE(typeface.size(narrow.text_height).width(line), narrow.caption.width);
+    EXPECT_LE(typeface.size(narrow.caption_height).width(line), narrow.caption.width);
   const FrameLayout none = lay_out_frame(640, 480, typeface, {.time = "t"});
   EXPECT_TRUE(none.caption_lines.empty());
   EXPECT_EQ(none.caption.height, 0);
