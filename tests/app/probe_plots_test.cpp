@@ -26,6 +26,11 @@ TEST(ProbePlots, PutColumnsOfOneUnitTogether) {
   EXPECT_EQ(plots[1].unit, "Pa");
 }
 
+TEST(ProbePlots, KeepPureNumbersApart) {
+  const TableHeader header{"ledger", {{"time", "s"}, {"compression_max", "-"}, {"penetrations", "-"}}};
+  EXPECT_THAT(plots_of(header, {{0.0, 1.0}, {0.01, 0.02}, {0.0, 3.0}}), SizeIs(2));
+}
+
 TEST(ProbePlots, LeaveTablesOutThatHaveSeveralRowsAtATime) {
   const TableHeader header{"line_a", {{"time", "s"}, {"distance", "m"}, {"pressure", "Pa"}}};
   EXPECT_THAT(plots_of(header, {{0.0, 0.0, 1.0}, {0.0, 0.1, 0.0}, {1.0, 2.0, 3.0}}), IsEmpty());

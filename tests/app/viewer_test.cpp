@@ -208,6 +208,61 @@ TEST_F(ViewerTest, TheMousePlaysTurnsMovesAndZooms) {
   EXPECT_NEAR((near.eye - near.target).norm(), 0.88 * 0.88 * distance, 1e-6 * distance);
 }
 
+// Places of the headers below are those of the golden picture.
+constexpr float kCutHeader = 413.0F;
+constexpr float kShowHeader = 438.0F;
+constexpr float kParametersHeader = 463.0F;
+constexpr float kRow = 25.0F;
+
+TEST_F(ViewerTest, AHandleTakesAClipPlaneAlongItsAxis) {
+  Viewer viewer(context_, state_.scene, source_, options());
+  const Image whole = round(viewer);
+  click(viewer, 100.0F, kCutHeader);
+  click(viewer, 18.0F, kCutHeader + kRow);
+  ASSERT_TRUE(viewer.settings().cut[0]) << "x from";
+  EXPECT_EQ(viewer.settings().cut_at[0], 0.0);
+  constexpr int kColumns = kWidth - 600;
+  const Camera camera = *viewer.settings().picture.camera;
+  const CameraView view(camera, kHeight, kColumns, kHeight, drawn_bounds(state_.scene));
+  const Bounds box = framed_bounds(state_.scene);
+  const auto on_screen = [&](double x) {
+    Vec3d centre = 0.5 * (box.lower + box.upper);
+    centre.x() = x;
+    const Vec3d at = view.project(centre);
+    return ImVec2(300.0F + static_cast<float>(at.x()), static_cast<float>(at.y()));
+  };
+  drag(viewer, 0, on_screen(0.0), on_screen(0.2));
+  EXPECT_NEAR(viewer.settings().cut_at[0], 0.2, 0.03);
+  EXPECT_EQ(*viewer.settings().picture.camera, camera) << "the picture does not turn meanwhile";
+  EXPECT_GT(different_pixels(whole, round(viewer)), 0.005);
+}
+
+TEST_F(ViewerTest, ShowsEverySortOfParticle) {
+  Viewer viewer(context_, state_.scene, source_, options());
+  const Image before = round(viewer);
+  click(viewer, 100.0F, kShowHeader);
+  click(viewer, 18.0F, kShowHeader + 8.0F * kRow);
+  EXPECT_TRUE(viewer.settings().picture.draw_ghosts);
+  const Image with_ghosts = round(viewer);
+  EXPECT_GT(different_pixels(before, with_ghosts), 0.01);
+  click(viewer, 18.0F, kShowHeader + 9.0F * kRow);
+  EXPECT_TRUE(viewer.settings().picture.draw_virtual_particles);
+  EXPECT_GT(different_pixels(with_ghosts, round(viewer)), 0.01);
+  click(viewer, 18.0F, kShowHeader + 2.0F * kRow);
+  EXPECT_EQ(viewer.settings().picture.style, WaterStyle::Surface);
+}
+
+TEST_F(ViewerTest, AppliesParametersAndLogsThem) {
+  Viewer viewer(context_, state_.scene, source_, options());
+  round(viewer);
+  click(viewer, 100.0F, kParametersHeader);
+  EXPECT_EQ(source_.take_orders(), "");
+  click(viewer, 100.0F, kParametersHeader + 5.0F * kRow);
+  EXPECT_EQ(source_.take_orders(), "parameters ");
+  ASSERT_FALSE(viewer.log().empty());
+  EXPECT_THAT(viewer.log().back(), HasSubstr("phi = 0.17"));
+}
+
 TEST_F(ViewerTest, ScrubsThroughSavedStates) {
   source_.times = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5};
   source_.now.time = 0.4;

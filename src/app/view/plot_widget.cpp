@@ -31,20 +31,24 @@ std::array<double, 2> ends_of(const ProbePlot& plot) {
     }
   }
   if (lower > upper) return {0.0, 1.0};
-  const double room =
-      std::max(0.05 * (upper - lower), 1e-9 * std::max(std::abs(lower), std::abs(upper)) + 1e-12);
+  // A constant has some room too.
+  const double size = std::max(std::abs(lower), std::abs(upper));
+  const bool flat = upper - lower <= 1e-6 * size;
+  const double room = flat ? (size > 0.0 ? 0.1 * size : 1.0) : 0.05 * (upper - lower);
   return {lower - room, upper + room};
 }
 
 }  // namespace
 
-void draw_plot(const ProbePlot& plot, double time, float height) {
+void draw_plot(const ProbePlot& plot, double time, double end_time, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight();
   const std::array<double, 2> ends = ends_of(plot);
-  const double last = plot.time.empty() ? 1.0 : std::max(plot.time.back(), 1e-9);
+  const double last = plot.time.size() > 1 ? plot.time.back() : std::max(end_time, 1e-9);
 
-  std::string heading = plot.title + (plot.unit == "-" ? "" : " (" + plot.unit + ")");
+  std::string heading = plot.title;
+  if (plot.series.size() == 1) heading += ": " + plot.series.front().name;
+  if (plot.unit != "-") heading += " (" + plot.unit + ")";
   ImGui::TextUnformatted(heading.c_str());
   if (plot.series.size() > 1) {
     for (std::size_t k = 0; k < plot.series.size(); ++k) {

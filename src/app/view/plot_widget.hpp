@@ -5,7 +5,7 @@
 namespace eisph {
 
 /// Draws a plot over the width that is left in the present window, `height` pixels high, with a cursor at
-/// `time` (s).
-void draw_plot(const ProbePlot& plot, double time, float height);
+/// `time` (s). As long as there is but one time, the axis goes to `end_time` (s).
+void draw_plot(const ProbePlot& plot, double time, double end_time, float height);
 
 }  // namespace eisph

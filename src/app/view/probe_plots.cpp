@@ -29,8 +29,10 @@ std::vector<ProbePlot> plots_of(const TableHeader& header, const std::vector<std
   for (std::size_t c = 0; c < header.columns.size(); ++c) {
     const TableColumn& column = header.columns[c];
     if (is_coordinate(column.name)) continue;
-    auto plot = std::find_if(plots.begin(), plots.end(),
-                             [&column](const ProbePlot& known) { return known.unit == column.unit; });
+    // Pure numbers have no scale in common.
+    auto plot = std::find_if(plots.begin(), plots.end(), [&column](const ProbePlot& known) {
+      return known.unit == column.unit && known.unit != "-";
+    });
     if (plot == plots.end()) {
       plots.push_back({.title = header.name, .unit = column.unit, .time = time, .series = {}});
       plot = plots.end() - 1;

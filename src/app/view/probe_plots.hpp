@@ -23,8 +23,8 @@ struct ProbePlot {
   std::vector<Series> series;
 };
 
-/// The columns of a table over its column `time`, those of one unit together; nothing for tables with several
-/// rows at a time.
+/// The columns of a table over its column `time`, those of one unit together but pure numbers apart; nothing
+/// for tables with several rows at a time.
 [[nodiscard]] std::vector<ProbePlot> plots_of(const TableHeader& header,
                                               const std::vector<std::vector<double>>& columns);
 

@@ -65,6 +65,7 @@ class Viewer {
   void log_section();
   void side_panel();
   void picture_panel();
+  void place_camera(int columns, int rows);
   void colour_bar();
   void help_panel();
 
@@ -106,6 +107,7 @@ class Viewer {
   GLuint picture_ = 0;
   std::array<int, 2> picture_size_{};
   std::array<double, 2> fitted_range_ = {0.0, 1.0};
+  bool camera_placed_ = false;
   int held_cut_ = -1;  ///< handle that the mouse holds
   std::size_t shown_depth_width_ = 0;
   std::shared_ptr<const Snapshot> shown_depth_;

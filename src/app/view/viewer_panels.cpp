@@ -273,7 +273,7 @@ void Viewer::side_panel() {
   }
   const double time = snapshot_ != nullptr ? snapshot_->time : 0.0;
   const float height = std::max(8.0F * ImGui::GetTextLineHeight(), 0.45F * room);
-  for (const ProbePlot& plot : *source_.plots()) draw_plot(plot, time, height);
+  for (const ProbePlot& plot : *source_.plots()) draw_plot(plot, time, scene_.end_time, height);
   ImGui::End();
 }
 
@@ -289,7 +289,7 @@ void Viewer::picture_panel() {
   ImGui::PopStyleVar();
   const int columns = std::max(16, static_cast<int>(width));
   const int rows = std::max(16, static_cast<int>(display.y));
-  if (!settings_.picture.camera) settings_.picture.camera = default_camera(scene_, rows, columns, rows);
+  place_camera(columns, rows);
   const CameraView view(*settings_.picture.camera, rows, columns, rows, drawn_bounds(scene_));
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
   paint(static_cast<int>(static_cast<float>(columns) * pixels.x),
@@ -315,6 +315,19 @@ void Viewer::picture_panel() {
         ink, time.c_str());
   }
   ImGui::End();
+}
+
+/// At the start: where the scene has it, so far back that a picture narrower than a frame shows as much.
+void Viewer::place_camera(int columns, int rows) {
+  if (camera_placed_) return;
+  camera_placed_ = true;
+  std::optional<Camera>& camera = settings_.picture.camera;
+  if (!camera) {
+    camera = default_camera(scene_, rows, columns, rows);
+    return;
+  }
+  const double of_frame = static_cast<double>(settings_.frame_size[0]) / settings_.frame_size[1];
+  zoom(*camera, std::max(1.0, of_frame * rows / columns));
 }
 
 void Viewer::colour_bar() {
