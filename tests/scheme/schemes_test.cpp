@@ -85,6 +85,23 @@ TEST_P(Schemes, GiveTheSameBitsWithAnyNumberOfThreads) {
   }
 }
 
+TEST_P(Schemes, TakeNewParametersAsIfTheSceneHadThem) {
+  Scene other = with_method(dam_break_2d(0.02), GetParam());
+  other.kinematic_viscosity = 1e-4;
+  other.artificial_viscosity = 0.1;
+  (other.scheme.weakly_compressible() ? other.scheme.courant : other.scheme.phi) *= 0.5;
+  if (other.scheme.name == "eisph") other.scheme.pressure_sweeps = 2;
+  const auto expected = start(other);
+  const auto changed = Simulation::create(with_method(dam_break_2d(0.02), GetParam()), 1);
+  changed->set_parameters(running_parameters(other));
+  changed->initialise();
+  take_steps(*expected, 30);
+  take_steps(*changed, 30);
+  EXPECT_EQ(changed->time(), expected->time());
+  EXPECT_TRUE(changed->snapshot()->position == expected->snapshot()->position);
+  EXPECT_TRUE(changed->snapshot()->pressure == expected->snapshot()->pressure);
+}
+
 TEST_P(SlowSchemes, StopAWaveAtAnObstacle) {
   const Scene scene =
       with_method(dam_break_3d(box(Vec3d(0.3, 0.1, 0.0), Vec3d(0.35, 0.2, 0.2)), 0.0125), GetParam());
