@@ -50,11 +50,13 @@ int video_command(const VideoOptions& options, std::ostream& out) {
   const auto frames = sequences(folder);
   std::vector<std::string> images = options.images;
   if (images.empty()) {
+    images.reserve(frames.size());
     for (const auto& [image, pictures] : frames) images.push_back(image);
   }
   for (const std::string& image : images) {
     if (frames.contains(image)) continue;
     std::vector<std::string> known;
+    known.reserve(frames.size());
     for (const auto& [name, pictures] : frames) known.push_back(name);
     throw InputError(fmt::format("--image {}: {} has no frames of it; it has those of {}", image,
                                  folder.string(), fmt::join(known, ", ")));

@@ -161,10 +161,12 @@ void check_camera(const Camera& camera, const std::string& path, const TomlSourc
 void check_panels(const Scene& scene, const ImageSettings& image, const std::string& path,
                   const TomlSource& source) {
   std::vector<std::string> images;
+  images.reserve(scene.images.size());
   for (const ImageSettings& other : scene.images) {
     if (other.kind != ImageKind::Panels) images.push_back(other.name);
   }
   std::vector<std::string> gauges;
+  gauges.reserve(scene.gauges.size());
   for (const Gauge& gauge : scene.gauges) gauges.push_back(gauge.name);
   const auto check = [&](const char* key, const std::vector<std::string>& names,
                          const std::vector<std::string>& known, const char* what) {
@@ -186,12 +188,14 @@ void check_panels(const Scene& scene, const ImageSettings& image, const std::str
 /// Fields that only one of the two looks of water has.
 void check_style(const ImageSettings& image, const std::string& path, const TomlSource& source) {
   const bool surface = image.style == WaterStyle::Surface;
-  if (surface && image.field == "kind")
+  if (surface && image.field == "kind") {
     source.fail(path + ".field", write_text(image.field),
                 "the surface is of water alone; expected another field, or style = \"particles\"");
-  if (!surface && image.field == "water")
+  }
+  if (!surface && image.field == "water") {
     source.fail(path + ".field", write_text(image.field),
                 "spheres show a field; expected another one, or style = \"surface\"");
+  }
 }
 
 void check_images(const Scene& scene, const TomlSource& source) {

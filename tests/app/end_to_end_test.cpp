@@ -1,6 +1,7 @@
 // The program as a user starts it: as a child process, with real scenes and real files.
 
 #include "app/child_process.hpp"
+#include "app/comparison/video.hpp"
 #include "app/run_files.hpp"
 #include "app/saved_states.hpp"
 #include "io/scene_file.hpp"
@@ -83,6 +84,7 @@ interval = 0.02
 times = [0.02, 0.06]
 [[image]]
 name = "view"
+style = "surface"
 width = 320
 height = 180
 [[image]]
@@ -90,6 +92,13 @@ name = "map"
 kind = "depth_map"
 width = 320
 height = 180
+[[image]]
+name = "all"
+kind = "panels"
+panels = ["view", "map"]
+gauges = ["front"]
+width = 480
+height = 361
 )";
 
 /// Contents of all files of one sort below a folder, by their path in it.
@@ -130,21 +139,21 @@ TEST_F(EndToEnd, ARunLeavesEverythingItPromises) {
   const ProcessResult result = run_program_with({"run", tank_.string(), "--out", (folder_ / "run").string()});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out,
-              AllOf(HasSubstr("finished"), HasSubstr("4 in " + (folder_ / "run/frames").string())));
+              AllOf(HasSubstr("finished"), HasSubstr("6 in " + (folder_ / "run/frames").string())));
   EXPECT_THAT(result.err, HasSubstr("100.0 %"));
   for (const char* name :
        {"frames/view_0000.png", "frames/view_0001.png", "frames/map_0000.png", "frames/map_0001.png",
-        "particles/particles_0000.vtp", "particles/particles_0001.vtp", "particles/objects_0000.vtp",
-        "depth/depth_0001.vti", "particles.pvd", "objects.pvd", "depth.pvd", "gauge_front.csv", "ledger.csv",
-        "leading_edge.csv", "scene.toml", "run.log"}) {
+        "frames/all_0001.png", "particles/particles_0000.vtp", "particles/particles_0001.vtp",
+        "particles/objects_0000.vtp", "depth/depth_0001.vti", "particles.pvd", "objects.pvd", "depth.pvd",
+        "gauge_front.csv", "ledger.csv", "leading_edge.csv", "scene.toml", "run.log"}) {
     EXPECT_TRUE(fs::is_regular_file(folder_ / "run" / name)) << name;
   }
   const nlohmann::json figures = summary("run");
   EXPECT_EQ(figures["status"], "finished");
   EXPECT_EQ(figures["fluid_particles"], 1000);
   EXPECT_EQ(figures["simulated_time"], 0.06);
-  EXPECT_EQ(figures["frames_written"], 4);
-  EXPECT_EQ(load_scene(folder_ / "run/scene.toml").images.size(), 2);
+  EXPECT_EQ(figures["frames_written"], 6);
+  EXPECT_EQ(load_scene(folder_ / "run/scene.toml").images.size(), 3);
 }
 
 TEST_F(EndToEnd, OutputsFallExactlyOnTheirTimes) {
@@ -185,8 +194,31 @@ TEST_F(EndToEnd, RenderRepeatsTheFramesOfTheRun) {
   const ProcessResult result = run_program_with({"render", (folder_ / "run").string()});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const auto frames = files_of_sort(folder_ / "run/frames", ".png");
-  EXPECT_THAT(frames, SizeIs(4));
+  EXPECT_THAT(frames, SizeIs(6));
   EXPECT_TRUE(frames == files_of_sort(folder_ / "run/rendered", ".png"));
+}
+
+TEST_F(EndToEnd, VideoJoinsTheFramesOfTheRun) {
+  ASSERT_EQ(run(tank_, "run").exit_code, 0);
+  const std::string folder = (folder_ / "run").string();
+  const ProcessResult unknown = run_program_with({"video", folder, "--image", "absent"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("it has those of all, map, view"));
+  EXPECT_THAT(run_program_with({"video", (folder_ / "nothing").string()}).err, HasSubstr("holds no frames"));
+  const ProcessResult result = run_program_with({"video", folder, "--rate", "2"});
+  if (!has_ffmpeg()) {
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("Debian package ffmpeg"));
+    return;
+  }
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("all.mp4: 2 frames, 1 s"));
+  for (const char* name : {"all.mp4", "map.mp4", "view.mp4"}) {
+    const std::string video = text_of(folder_ / "run/frames" / name);
+    // The index of a video that starts at once stands before its pictures.
+    EXPECT_LT(video.find("moov"), video.find("mdat")) << name;
+    EXPECT_THAT(video, HasSubstr("avc1"));
+  }
 }
 
 TEST_F(EndToEnd, RenderDrawsOtherFieldsAndChosenTimes) {

@@ -90,6 +90,32 @@ TEST_F(InSituRun, WithoutFramesWritesTheRest) {
   EXPECT_THAT(saved_states(files_), SizeIs(5));
 }
 
+TEST_F(InSituRun, ThatFailsToRecordDoesNotWaitForTheCurvesOfItsFrames) {
+  Scene scene = small_scene();
+  scene.gauges = {{.name = "level", .x = 0.5, .y = 0.1, .interval = 0.25}};
+  ImageSettings panels = scene.images.front();
+  panels.name = "all";
+  panels.kind = ImageKind::Panels;
+  panels.width = 480;
+  panels.height = 360;
+  panels.panels = {"view"};
+  panels.gauges = {"level"};
+  scene.images.push_back(panels);
+  {
+    SimulationDouble simulation(0.01);
+    EXPECT_EQ(run(simulation, scene).frames_written, 10);
+  }
+  scene.output.comparison.times = {0.5};
+  const auto fail = [](const Snapshot&) { throw std::runtime_error("no room left"); };
+  SimulationDouble simulation(0.01);
+  EXPECT_THAT(
+      [&] {
+        (void)run_in_situ(simulation, scene, files_, {.end_time = scene.end_time, .compare = fail}, progress_,
+                          log_, [] { return false; });
+      },
+      ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("no room left")));
+}
+
 TEST_F(InSituRun, OfASceneWithoutOutputsTakesNoSnapshotAndWritesNothing) {
   Scene scene = small_scene();
   scene.output.particles = {};

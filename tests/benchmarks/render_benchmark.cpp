@@ -1,8 +1,10 @@
 // CPU time of 1280 x 720 frames of 576,000 particles, PNG file included: the half tank at 5 mm, once as a
 // column behind the dam and once spread over the whole floor, which shows the most particles. Beside it its
-// parts. LP_NUM_THREADS in the environment chooses the threads of the software renderer.
+// parts, and the water surface of the same states, at 1920 x 1080 too. LP_NUM_THREADS in the environment
+// chooses the threads of the software renderer.
 
 #include "render/frame_renderer.hpp"
+#include "render/ground_shadow.hpp"
 #include "render/particle_culling.hpp"
 #include "render/png_file.hpp"
 #include "render/synthetic_scene.hpp"
@@ -70,6 +72,41 @@ BENCHMARK(frame_with_png)
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// The particle view and the water surface of one state, PNG file included, as medians.
+void styled_frame(benchmark::State& run) {
+  const synthetic::State state = water(static_cast<int>(run.range(0)));
+  FrameRenderer renderer(state.scene);
+  ImageSettings settings;
+  settings.height = static_cast<int>(run.range(1));
+  settings.width = settings.height * 16 / 9;
+  if (run.range(2) != 0) {
+    settings.style = WaterStyle::Surface;
+    settings.field = "water";
+  }
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "eisph_style_benchmark.png";
+  const Image first = renderer.draw(settings, state.snapshot, state.depth);
+  benchmark::DoNotOptimize(first.rgb.data());
+  for (auto _ : run)
+    write_png(file, renderer.draw(settings, state.snapshot, state.depth), {{"Title", "benchmark"}});
+  std::filesystem::remove(file);
+}
+BENCHMARK(styled_frame)
+    ->ArgNames({"columns", "height", "surface"})
+    ->ArgsProduct({{160, 520}, {720, 1080}, {0, 1}})
+    ->Iterations(1)
+    ->Repetitions(5)
+    ->ReportAggregatesOnly(true)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void ground_shadow(benchmark::State& run) {
+  const synthetic::State state = water(520);
+  for (auto _ : run)
+    benchmark::DoNotOptimize(ground_light(state.scene, state.snapshot, true, 0.3).light.data());
+}
+BENCHMARK(ground_shadow)->Unit(benchmark::kMillisecond);
 
 void culling(benchmark::State& run) {
   const synthetic::State state = water(static_cast<int>(run.range(0)));

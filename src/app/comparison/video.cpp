@@ -51,6 +51,8 @@ void write_video(const std::filesystem::path& path, const std::vector<std::files
                                       (scratch / "list").string(),
                                       "-vf",
                                       "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p",
+                                      "-t",
+                                      fmt::format("{}", seconds_each * static_cast<double>(pictures.size())),
                                       "-r",
                                       fmt::format("{}", rate),
                                       "-c:v",
