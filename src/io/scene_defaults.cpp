@@ -112,7 +112,7 @@ double default_courant(Stepping stepping) {
     case Stepping::PredictorCorrector:
       return 0.4;
     case Stepping::RungeKutta:
-      return 1.5;
+      return 1.25;
     case Stepping::Symplectic:
     case Stepping::Thesis:
       break;

@@ -99,7 +99,7 @@ TEST(SceneWarnings, TellOfStepsAtWhichHardCasesBlewUp) {
   scene.scheme.name = "delta_sph";
   scene.scheme.sound_speed = 10.0 * scene.expected_speed();
   scene.scheme.stepping = Stepping::RungeKutta;
-  scene.scheme.courant = 1.5;
+  scene.scheme.courant = 1.25;
   EXPECT_THAT(warnings_of(scene), IsEmpty());
   scene.scheme.stepping = Stepping::Symplectic;
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("at t = 0, above 0.3: the run may blow up")));

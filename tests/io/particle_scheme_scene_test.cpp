@@ -21,7 +21,7 @@ TEST(ParticleSchemeScene, CompletesWhatTheSchemeNeeds) {
   const Scene steps = loader.load(
       kSceneText, {"scheme.name=delta_sph", "scheme.stepping=runge_kutta", "scheme.sound_speed=30"});
   EXPECT_EQ(steps.scheme.stepping, Stepping::RungeKutta);
-  EXPECT_EQ(steps.scheme.courant, 1.5);
+  EXPECT_EQ(steps.scheme.courant, 1.25);
   EXPECT_EQ(steps.scheme.sound_speed, 30.0);
 }
 

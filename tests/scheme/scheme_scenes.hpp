@@ -36,7 +36,7 @@ inline Scene with_method(Scene scene, const Method& method) {
   if (method.stepping == Stepping::Thesis) scheme.phi = 0.06;
   if (method.stepping == Stepping::Thesis || method.scheme == "isph") scheme.source_factor = 1.0;
   scheme.sound_speed = 10.0 * scene.expected_speed();
-  scheme.courant = method.stepping == Stepping::RungeKutta ? 1.5 : 0.25;
+  scheme.courant = method.stepping == Stepping::RungeKutta ? 1.25 : 0.25;
   return scene;
 }
 

@@ -128,7 +128,7 @@ const std::vector<ParetoSetting>& pareto_settings() {
             {scheme, fmt::format("scheme.courant={}", value)}, {});
       }
       add(settings, std::string(label) + ", Runge-Kutta", "Courant 1.5",
-          {scheme, "scheme.stepping=runge_kutta"}, {});
+          {scheme, "scheme.stepping=runge_kutta", "scheme.courant=1.5"}, {});
     }
     return settings;
   }();

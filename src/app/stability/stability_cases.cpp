@@ -45,7 +45,7 @@ const std::vector<StabilityScheme>& stability_schemes() {
       {"ISPH", {"scheme.name=isph"}, "phi", 0.17},
       {"WCSPH", {"scheme.name=wcsph"}, "courant", 0.25},
       {"delta-SPH", {"scheme.name=delta_sph"}, "courant", 0.25},
-      {"delta-SPH, Runge-Kutta", {"scheme.name=delta_sph", "scheme.stepping=runge_kutta"}, "courant", 1.5},
+      {"delta-SPH, Runge-Kutta", {"scheme.name=delta_sph", "scheme.stepping=runge_kutta"}, "courant", 1.25},
   };
   return kSchemes;
 }
