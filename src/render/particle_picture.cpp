@@ -149,12 +149,9 @@ const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settin
                                                      const Snapshot& snapshot, const DepthGrid& depth,
                                                      const ColourMap& map, const FieldScale& scale) {
   if (!fluid_surface_) fluid_surface_.emplace(context_->functions(), home_folder() / "shaders");
-  const std::vector<std::uint32_t> finite = finite_particles(snapshot);
-  std::vector<Vec3f> all(finite.size());
-  std::transform(finite.begin(), finite.end(), all.begin(),
-                 [&](std::uint32_t i) { return snapshot.position[i]; });
-  const std::vector<std::uint32_t> chosen =
-      options_.cull_interior ? visible_particles(snapshot, camera, scene_.domain_min.z()) : finite;
+  const std::vector<std::uint32_t> chosen = options_.cull_interior
+                                                ? visible_particles(snapshot, camera, scene_.domain_min.z())
+                                                : finite_particles(snapshot);
   const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
   std::vector<SurfaceVertex> shown(chosen.size());
   for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -162,7 +159,8 @@ const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settin
     shown[k] = {snapshot.position[i], values[k],
                 surface_sphere_radius(snapshot.number_density[i], snapshot.particle_spacing)};
   }
-  return fluid_surface_->draw(*samples_, camera, options_.samples_per_pixel, shown, all, map,
+  return fluid_surface_->draw(*samples_, camera, options_.samples_per_pixel, shown,
+                              water_pieces(snapshot, scene_.domain_min.z()), map,
                               {.spacing = snapshot.particle_spacing,
                                .depth_scale = depth_scale(scene_),
                                .has_field = settings.field != "water",
