@@ -1,8 +1,9 @@
 #version 330 core
 
-// A particle's volume spread over a disc.
+// A piece of water spread over a disc.
 
 layout(location = 0) in vec3 position;
+layout(location = 1) in float volume;  // over that of a cube of the spacing
 
 uniform mat4 view;
 uniform mat4 projection;
@@ -18,5 +19,5 @@ void main() {
   float radius = max(1.5 * spacing_on_screen, 1.5);
   gl_PointSize = 2.0 * radius;
   // The mean of (1 - r^2)^2 over the disc is a third.
-  amount = 3.0 * spacing * spacing_on_screen * spacing_on_screen / (3.14159265 * radius * radius);
+  amount = 3.0 * volume * spacing * spacing_on_screen * spacing_on_screen / (3.14159265 * radius * radius);
 }

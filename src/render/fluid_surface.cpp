@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace eisph {
@@ -13,6 +14,7 @@ namespace {
 constexpr std::array kReaches{1.2F, 3.0F, 1.2F, 0.5F};
 /// Distances that belong to one surface, in particle spacings.
 constexpr float kRange = 3.0F;
+constexpr double kSliceCells = 4.0;  ///< height of a slice of a column, cells
 constexpr int kThicknessPixels = 2;  ///< pixels per sample of the thickness, along each axis
 
 void bind_texture(const GlFunctions& gl, int unit, const GlTexture& texture) {
@@ -28,6 +30,36 @@ void upload(const GlFunctions& gl, const GlBuffer& buffer, const std::vector<Ele
 }
 
 }  // namespace
+
+std::vector<WaterPiece> water_pieces(const Snapshot& snapshot, double floor) {
+  std::vector<WaterPiece> pieces;
+  if (!snapshot.columns) {
+    pieces.reserve(snapshot.size());
+    for (const Vec3f& position : snapshot.position) {
+      if (position.allFinite()) pieces.push_back({position, 1.0F});
+    }
+    return pieces;
+  }
+  const ColumnField& field = *snapshot.columns;
+  pieces.reserve(2 * field.size());
+  for (std::size_t j = 0; j < field.rows; ++j) {
+    for (std::size_t i = 0; i < field.columns; ++i) {
+      const std::size_t cell = field.index(i, j);
+      const double depth = field.depth[cell];
+      const int slices = static_cast<int>(std::ceil(depth / (kSliceCells * field.cell_size)));
+      const double height = depth / std::max(slices, 1);
+      for (int k = 0; k < slices; ++k) {
+        const Vec3d middle(field.origin_x + (static_cast<double>(i) + 0.5) * field.cell_size,
+                           field.origin_y + (static_cast<double>(j) + 0.5) * field.cell_size,
+                           floor + field.bed[cell] + (k + 0.5) * height);
+        const double spacing = snapshot.particle_spacing;
+        const double volume = height * field.cell_size * field.cell_size / (spacing * spacing * spacing);
+        pieces.push_back({middle.cast<float>(), static_cast<float>(volume)});
+      }
+    }
+  }
+  return pieces;
+}
 
 float surface_sphere_radius(float number_density, double spacing) {
   const float crowd = std::clamp((number_density - 0.2F) / 0.4F, 0.0F, 1.0F);
@@ -59,7 +91,10 @@ FluidSurface::FluidSurface(const GlFunctions& gl, const std::filesystem::path& s
   gl.BindVertexArray(all_array_.name());
   gl.BindBuffer(GL_ARRAY_BUFFER, all_vertices_.name());
   gl.EnableVertexAttribArray(0);
-  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(WaterPiece), nullptr);
+  gl.EnableVertexAttribArray(1);
+  gl.VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(WaterPiece),
+                         reinterpret_cast<const void*>(offsetof(WaterPiece, volume)));
   bind_texture(gl, 0, colour_map_);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -81,7 +116,7 @@ void FluidSurface::fit(int width, int height, int samples_per_pixel) {
 
 const OffscreenTarget& FluidSurface::draw(const OffscreenTarget& opaque, const CameraView& camera,
                                           int samples_per_pixel, const std::vector<SurfaceVertex>& shown,
-                                          const std::vector<Vec3f>& all, const ColourMap& map,
+                                          const std::vector<WaterPiece>& all, const ColourMap& map,
                                           const FluidLook& look) {
   fit(opaque.width(), opaque.height(), samples_per_pixel);
   const auto focal_length = static_cast<float>(camera.focal_length() * samples_per_pixel);
@@ -131,7 +166,7 @@ void FluidSurface::smooth(const CameraView& camera, float focal_length, float sp
 }
 
 void FluidSurface::draw_thickness(const OffscreenTarget& opaque, const CameraView& camera, float focal_length,
-                                  const std::vector<Vec3f>& all, float spacing) const {
+                                  const std::vector<WaterPiece>& all, float spacing) const {
   thickness_->begin();
   if (all.empty()) return;
   gl_.Enable(GL_BLEND);

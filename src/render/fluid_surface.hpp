@@ -23,6 +23,16 @@ struct SurfaceVertex {
   float radius;    ///< m
 };
 
+/// A piece of water that light passes through.
+struct WaterPiece {
+  Vec3f position;  ///< m
+  float volume;    ///< over that of a cube of the spacing
+};
+
+/// The water of a state in pieces: its particles, or slices of its columns where it has columns, as their
+/// particles are only those that can be seen. `floor` is the height of the floor, m.
+[[nodiscard]] std::vector<WaterPiece> water_pieces(const Snapshot& snapshot, double floor);
+
 /// Radius (m) of a particle's sphere: in the water so large that those of a thin sheet still touch, of a lone
 /// drop nearly that of its own volume. `number_density` is normalised, `spacing` in metres.
 [[nodiscard]] float surface_sphere_radius(float number_density, double spacing);
@@ -44,9 +54,9 @@ class FluidSurface {
   FluidSurface(const GlFunctions& gl, const std::filesystem::path& shaders);
 
   /// The picture in `opaque` with the water in it, and its depth. `samples_per_pixel` along one axis. `shown`
-  /// has the particles that can be seen, `all` those that light passes through.
+  /// has the particles that can be seen, `all` the water that light passes through.
   const OffscreenTarget& draw(const OffscreenTarget& opaque, const CameraView& camera, int samples_per_pixel,
-                              const std::vector<SurfaceVertex>& shown, const std::vector<Vec3f>& all,
+                              const std::vector<SurfaceVertex>& shown, const std::vector<WaterPiece>& all,
                               const ColourMap& map, const FluidLook& look);
 
  private:
@@ -55,7 +65,7 @@ class FluidSurface {
                       const std::vector<SurfaceVertex>& shown) const;
   void smooth(const CameraView& camera, float focal_length, float spacing) const;
   void draw_thickness(const OffscreenTarget& opaque, const CameraView& camera, float focal_length,
-                      const std::vector<Vec3f>& all, float spacing) const;
+                      const std::vector<WaterPiece>& all, float spacing) const;
   void compose(const OffscreenTarget& opaque, const CameraView& camera, float focal_length,
                const ColourMap& map, const FluidLook& look) const;
 

@@ -199,10 +199,6 @@ const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settin
                                                      const Snapshot& snapshot, const DepthGrid& depth,
                                                      const ColourMap& map, const FieldScale& scale) {
   if (!fluid_surface_) fluid_surface_.emplace(context_->functions(), home_folder() / "shaders");
-  const std::vector<std::uint32_t> within = particles_within(snapshot, settings.clip);
-  std::vector<Vec3f> all(within.size());
-  std::transform(within.begin(), within.end(), all.begin(),
-                 [&](std::uint32_t i) { return snapshot.position[i]; });
   const std::vector<std::uint32_t> chosen = particles_seen(settings, camera, snapshot);
   const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
   std::vector<SurfaceVertex> shown(chosen.size());
@@ -211,7 +207,9 @@ const OffscreenTarget& ParticlePicture::draw_surface(const ImageSettings& settin
     shown[k] = {snapshot.position[i], values[k],
                 surface_sphere_radius(snapshot.number_density[i], snapshot.particle_spacing)};
   }
-  return fluid_surface_->draw(*samples_, camera, options_.samples_per_pixel, shown, all, map,
+  std::vector<WaterPiece> pieces = water_pieces(snapshot, scene_.domain_min.z());
+  std::erase_if(pieces, [&](const WaterPiece& piece) { return !is_within(settings.clip, piece.position); });
+  return fluid_surface_->draw(*samples_, camera, options_.samples_per_pixel, shown, pieces, map,
                               {.spacing = snapshot.particle_spacing,
                                .depth_scale = depth_scale(scene_),
                                .has_field = settings.field != "water",

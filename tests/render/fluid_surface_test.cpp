@@ -1,3 +1,5 @@
+#include "render/fluid_surface.hpp"
+
 #include "render/colour_map.hpp"
 #include "render/frame_renderer.hpp"
 #include "render/synthetic_scene.hpp"
@@ -91,6 +93,28 @@ TEST(FluidSurface, LightFallsExponentiallyWithTheDepth) {
   ASSERT_GT(once, 30.0);
   // T(8) / T(4) = T(4), and T(16) / T(8) = T(8) = T(4)^2.
   EXPECT_NEAR(four_times / twice, std::pow(twice / once, 2), 0.05);
+}
+
+TEST(WaterPieces, OfColumnsHaveTheirVolume) {
+  synthetic::State state = pool(1);
+  EXPECT_EQ(water_pieces(state.snapshot, 0.0).size(), 1600U);
+  auto columns = std::make_shared<ColumnField>();
+  columns->cell_size = 0.04;
+  columns->origin_x = 1.0;
+  columns->columns = 3;
+  columns->rows = 1;
+  columns->bed = {0.1F, 0.0F, 0.0F};
+  columns->depth = {0.5F, 0.0F, 0.08F};
+  state.snapshot.columns = columns;
+  const std::vector<WaterPiece> pieces = water_pieces(state.snapshot, 2.0);
+  ASSERT_EQ(pieces.size(), 5U);
+  double first = 0.0;
+  for (int k = 0; k < 4; ++k) first += pieces[static_cast<std::size_t>(k)].volume;
+  EXPECT_NEAR(first * std::pow(kSpacing, 3), 0.5 * 0.04 * 0.04, 1e-8);
+  EXPECT_NEAR(pieces[4].volume * std::pow(kSpacing, 3), 0.08 * 0.04 * 0.04, 1e-8);
+  EXPECT_NEAR(pieces[0].position.x(), 1.02, 1e-6);
+  EXPECT_NEAR(pieces[0].position.z(), 2.1 + 0.0625, 1e-6);
+  EXPECT_NEAR(pieces[4].position.x(), 1.1, 1e-6);
 }
 
 TEST(FluidSurface, FieldsKeepTheColourOfTheBar) {
