@@ -38,16 +38,16 @@ vec3 eye_place(vec2 sample_place, float distance) {
 }
 
 /// Slope of the surface along one axis: of the two sides the flatter one, so that a step of the surface leaves
-/// its edge alone. `other` stands in for a side that is dry.
-vec3 tangent(ivec2 place, ivec2 step, float here) {
+/// its edge alone. Dry sides do not count.
+vec3 tangent(ivec2 place, ivec2 side, float here) {
   ivec2 last = textureSize(surface, 0) - 1;
-  ivec2 after = clamp(place + step, ivec2(0), last);
-  ivec2 before = clamp(place - step, ivec2(0), last);
+  ivec2 after = clamp(place + side, ivec2(0), last);
+  ivec2 before = clamp(place - side, ivec2(0), last);
   float d_after = texelFetch(surface, after, 0).r;
   float d_before = texelFetch(surface, before, 0).r;
   vec3 middle = eye_place(gl_FragCoord.xy, here);
   bool take_after = d_after > 0.0 && (d_before <= 0.0 || abs(d_after - here) < abs(here - d_before));
-  if (!take_after && d_before <= 0.0) return vec3(step, 0.0);
+  if (!take_after && d_before <= 0.0) return vec3(side, 0.0);
   return take_after ? eye_place(gl_FragCoord.xy + vec2(after - place), d_after) - middle
                     : middle - eye_place(gl_FragCoord.xy + vec2(before - place), d_before);
 }

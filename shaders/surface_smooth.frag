@@ -2,8 +2,9 @@
 
 // One direction of a narrow-range filter of distances (N. Truong and C. Yuksel, A narrow-range filter for
 // screen-space fluid rendering, Proc. ACM Comput. Graph. Interact. Tech. 1, 2018): Gaussian weights; what lies
-// before the surface takes no part, what lies behind it counts as just behind it, and the range widens along a
-// surface that slopes. Taps come in pairs, so that a slope stays as it is.
+// before the surface takes no part, what lies behind it counts as just behind it, which rounds edges, and the range
+// widens along a surface that slopes. Taps come in pairs, so that a slope stays as it is; a pair of which both are
+// behind does not count, so that a drop on the floor is not drawn into it.
 
 uniform sampler2D surface;  // r: distance along the view axis, m, 0 without water; g: value of the field
 uniform vec2 direction;     // of the taps, (1, 0) or (0, 1)
@@ -14,7 +15,7 @@ uniform float range;         // m of distance that belong to the surface
 
 out vec2 fragment;
 
-const int kMostTaps = 7;  // on each side
+const int kMostTaps = 10;  // on each side
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
@@ -28,7 +29,7 @@ void main() {
   ivec2 last = textureSize(surface, 0) - 1;
   float nearest = here.r - range;
   float farthest = here.r + range;
-  float behind = here.r + 0.25 * range;
+  float behind = here.r + 0.08 * range;
   vec2 sum = here;
   float weights = 1.0;
   for (int k = 1; k <= taps; ++k) {
@@ -37,7 +38,7 @@ void main() {
     vec2 b = texelFetch(surface, clamp(place + offset, ivec2(0), last), 0).rg;
     bool a_behind = a.r <= 0.0 || a.r > farthest;
     bool b_behind = b.r <= 0.0 || b.r > farthest;
-    if (a_behind && b_behind) continue;  // a drop or a strand stays as it is
+    if (a_behind && b_behind) continue;
     if (a_behind) a = vec2(behind, here.g);
     if (b_behind) b = vec2(behind, here.g);
     if (a.r < nearest || b.r < nearest) continue;

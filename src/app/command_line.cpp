@@ -129,7 +129,7 @@ void add_video(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
   command->add_option("--frames", options.frames, "Folder of the frames [RUN_FOLDER/frames]")
       ->type_name("DIR");
-  command->add_option("--out", options.out, "Folder of the videos [that of the frames]")->type_name("DIR");
+  command->add_option("--out", options.out, "Folder of the videos [RUN_FOLDER/video]")->type_name("DIR");
   command->callback([&line] { line.command = [&line] { return video_command(line.video, std::cout); }; });
 }
 

@@ -53,7 +53,7 @@ struct VideoOptions {
   std::optional<std::filesystem::path> frames;  ///< folder of the frames, default <run folder>/frames
   std::vector<std::string> images;              ///< names; empty: all
   double rate = 25.0;                           ///< frames per second
-  std::optional<std::filesystem::path> out;     ///< folder of the videos, default that of the frames
+  std::optional<std::filesystem::path> out;     ///< folder of the videos, default <run folder>/video
 };
 
 /// Joins the frames of a run to videos. Throws InputError if there are none, or no ffmpeg.

@@ -46,9 +46,10 @@ const std::map<std::string, std::regex>& written_names() {
                       R"((gauge|probe|pressure_sensor|front|line|force|discharge)_.+\.csv|)"
                       R"((leading_edge|ledger)\.csv))" +
                       ending)},
-      {"frames", std::regex(R"((.+_\d{4,}\.png|.+\.mp4))" + ending)},
+      {"frames", std::regex(R"(.+_\d{4,}\.png)" + ending)},
       {"particles", std::regex(R"((particles|objects)_\d{4,}\.vtp)" + ending)},
-      {"rendered", std::regex(R"((.+_(\d{4,}|t[-+.e\d]+)\.png|.+\.mp4))" + ending)},
+      {"rendered", std::regex(R"(.+_(\d{4,}|t[-+.e\d]+)\.png)" + ending)},
+      {"video", std::regex(R"(.+\.mp4)" + ending)},
       {"depth", std::regex(R"(depth_\d{4,}\.vti)" + ending)},
   };
   return names;

@@ -15,6 +15,7 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path log() const { return folder / "run.log"; }
   [[nodiscard]] std::filesystem::path frames() const { return folder / "frames"; }
   [[nodiscard]] std::filesystem::path rendered() const { return folder / "rendered"; }
+  [[nodiscard]] std::filesystem::path video() const { return folder / "video"; }
   [[nodiscard]] std::filesystem::path particles_collection() const { return folder / "particles.pvd"; }
   [[nodiscard]] std::filesystem::path objects_collection() const { return folder / "objects.pvd"; }
   [[nodiscard]] std::filesystem::path depth_collection() const { return folder / "depth.pvd"; }

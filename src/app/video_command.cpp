@@ -64,9 +64,10 @@ int video_command(const VideoOptions& options, std::ostream& out) {
   if (!has_ffmpeg()) {
     throw InputError("video: ffmpeg is not installed; install the Debian package ffmpeg");
   }
-  if (options.out) create_folder(*options.out);
+  const std::filesystem::path target = options.out.value_or(files.video());
+  create_folder(target);
   for (const std::string& image : images) {
-    const std::filesystem::path file = options.out.value_or(folder) / (image + ".mp4");
+    const std::filesystem::path file = target / (image + ".mp4");
     write_video(file, frames.at(image), 1.0 / options.rate, options.rate);
     fmt::print(out, "{}: {} frames, {:.3g} s\n", file.string(), frames.at(image).size(),
                static_cast<double>(frames.at(image).size()) / options.rate);

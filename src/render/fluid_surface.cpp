@@ -63,7 +63,7 @@ std::vector<WaterPiece> water_pieces(const Snapshot& snapshot, double floor) {
 
 float surface_sphere_radius(float number_density, double spacing) {
   const float crowd = std::clamp((number_density - 0.2F) / 0.4F, 0.0F, 1.0F);
-  return (0.5F + 0.2F * crowd) * static_cast<float>(spacing);
+  return (0.5F + 0.28F * crowd) * static_cast<float>(spacing);
 }
 
 FluidSurface::FluidSurface(const GlFunctions& gl, const std::filesystem::path& shaders)

@@ -98,6 +98,7 @@ Coverage box_blur(const Coverage& from, int count, int lines, std::size_t stride
                   int reach) {
   Coverage to(from.size());
   const auto mirrored = [count](int k) {
+    if (k >= 0 && k < count) return static_cast<std::size_t>(k);
     const int period = 2 * count;
     const int inside = ((k % period) + period) % period;
     return static_cast<std::size_t>(inside < count ? inside : period - 1 - inside);

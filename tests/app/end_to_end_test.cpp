@@ -214,7 +214,7 @@ TEST_F(EndToEnd, VideoJoinsTheFramesOfTheRun) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("all.mp4: 2 frames, 1 s"));
   for (const char* name : {"all.mp4", "map.mp4", "view.mp4"}) {
-    const std::string video = text_of(folder_ / "run/frames" / name);
+    const std::string video = text_of(folder_ / "run/video" / name);
     // The index of a video that starts at once stands before its pictures.
     EXPECT_LT(video.find("moov"), video.find("mdat")) << name;
     EXPECT_THAT(video, HasSubstr("avc1"));

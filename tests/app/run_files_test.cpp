@@ -100,7 +100,8 @@ TEST_F(RunFolder, LosesTheFilesOfAnEarlierRun) {
                            "particles/particles_12345.vtp.tmp",
                            "depth/depth_0000.vti",
                            "rendered/view_0000.png",
-                           "rendered/view_t0.25.png"}) {
+                           "rendered/view_t0.25.png",
+                           "video/view.mp4"}) {
     put(name);
   }
   prepare_run_folder(files_);
