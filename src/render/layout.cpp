@@ -186,11 +186,17 @@ void draw_kinds(Image& image, const FrameLayout& layout, Typeface& typeface, con
   const Font& font = typeface.size(layout.text_height);
   const int text = layout.text_height;
   int x = layout.legend.x;
+  int y = layout.legend.y;
   for (const auto& [name, colour] : kinds) {
-    const PixelRectangle swatch{x + 1, layout.legend.y, text * 3 / 2, text * 4 / 5};
+    const int width = text * 2 + font.width(name);
+    if (x > layout.legend.x && x + width > layout.legend.right()) {
+      x = layout.legend.x;
+      y += text * 5 / 4;
+    }
+    const PixelRectangle swatch{x + 1, y, text * 3 / 2, text * 4 / 5};
     fill_rectangle(image, swatch, colour);
     draw_outline(image, swatch, 1, colours.line);
-    font.draw(image, swatch.right() + text / 2, layout.legend.y - text / 10, name, colours.text);
+    font.draw(image, swatch.right() + text / 2, y - text / 10, name, colours.text);
     x = swatch.right() + text * 2 + font.width(name);
   }
   font.draw(image, layout.legend_label.x, layout.legend_label.y - text / 10,

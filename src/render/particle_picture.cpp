@@ -99,7 +99,7 @@ void ParticlePicture::draw_floor(const ImageSettings& settings, const CameraView
                                  const Palette& colours, const Snapshot& snapshot) {
   if (scene_.dimension != 3) return;
   const std::filesystem::path shaders = home_folder() / "shaders";
-  if (settings.shadow) {
+  if (settings.shadow && !settings.clip) {  // what is cut away throws none
     if (!floor_painter_) floor_painter_.emplace(context_->functions(), shaders, scene_);
     const bool opaque = settings.style == WaterStyle::Spheres;
     const bool solids = settings.draw_obstacles && settings.field != "kind";
