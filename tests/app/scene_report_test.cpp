@@ -105,6 +105,17 @@ TEST(SceneWarnings, TellOfStepsAtWhichHardCasesBlewUp) {
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("at t = 0, above 0.3: the run may blow up")));
 }
 
+TEST(SceneWarnings, TellOfBlowsThatAnImplicitPressureDoesNotBear) {
+  Scene scene = sound_scene();
+  scene.fluid.at(0).velocity = Vec3d(-2.0 * scene.reference_speed(), 0.0, 0.0);
+  scene.scheme.phi = 0.06;
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+  scene.scheme.name = "isph";
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("blow up where it strikes")));
+  scene.fluid.at(0).velocity.setZero();
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+}
+
 TEST(SceneWarnings, TellOfNegativePressureAtAFreeSurface) {
   Scene scene = sound_scene();
   scene.scheme.clamp_pressure = false;
