@@ -93,7 +93,8 @@ TEST(Pareto, ChoosesSettingsByAPartOfTheirNames) {
   const auto chosen = choose_settings({"ISPH, phi 0.06", "delta-SPH, Courant"});
   std::vector<std::string> names;
   for (const ParetoSetting& setting : chosen) names.push_back(setting_name(setting.scheme, setting.step));
-  EXPECT_THAT(names, testing::ElementsAre("ISPH, phi 0.06", "delta-SPH, Courant 0.25", "delta-SPH, Courant 0.5"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("ISPH, phi 0.06", "delta-SPH, Courant 0.25", "delta-SPH, Courant 0.5"));
   try {
     static_cast<void>(choose_settings({"WCSPH", "phi 0.99"}));
     FAIL() << "expected an InputError";
