@@ -18,7 +18,7 @@ namespace eisph {
 namespace {
 
 PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan,
-                           const InSituSettings& settings, spdlog::logger& log) {
+                           const InSituSettings& settings, std::string& frames_drawn_by) {
   PipelineStages stages;
   std::shared_ptr<GaugeHistory> history;
   if (plan.has_frames() && draws_gauges(scene)) history = std::make_shared<GaugeHistory>(scene);
@@ -36,10 +36,9 @@ PipelineStages make_stages(const Scene& scene, const RunFiles& files, const Outp
     };
   }
   if (!plan.has_frames()) return stages;
-  stages.make_draw = [&scene, &settings, &log, history] {
+  stages.make_draw = [&scene, &settings, &frames_drawn_by, history] {
     auto stage = std::make_shared<FrameStage>(scene, settings.context);
-    const std::string context = stage->context_description();
-    if (!context.empty()) log.info("frames are drawn by {}", context);
+    frames_drawn_by = stage->context_description();
     return [&scene, stage, history](const Snapshot& snapshot, const DueFrame& due) {
       const ImageSettings& image = scene.images[due.image];
       std::vector<GaugeCurve> curves;
@@ -113,7 +112,8 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
                        const std::function<bool()>& stop_requested) {
   const OutputPlan plan(scene, settings.frames);
   const QueuePolicy policy = scene.output.latest_frame_only ? QueuePolicy::LatestOnly : QueuePolicy::KeepAll;
-  Pipeline pipeline(make_stages(scene, files, plan, settings, log),
+  std::string frames_drawn_by;  // by the thread that draws, until the pipeline has finished
+  Pipeline pipeline(make_stages(scene, files, plan, settings, frames_drawn_by),
                     static_cast<std::size_t>(scene.output.queue_length), policy);
 
   std::string status = "finished";
@@ -136,6 +136,7 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
   RunSummary summary = simulation.summary();
   summary.status = status;
   summary.message = message;
+  summary.frames_drawn_by = frames_drawn_by;
   complete_summary(summary, scene, pipeline);
   return summary;
 }

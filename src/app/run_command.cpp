@@ -56,6 +56,7 @@ void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles&
   std::string frames = fmt::format("{} in {}", summary.frames_written, files.frames().string());
   if (summary.frames_dropped > 0) frames += fmt::format(", {} dropped", summary.frames_dropped);
   row("frames", frames);
+  if (!summary.frames_drawn_by.empty()) row("drawn by", summary.frames_drawn_by);
 }
 
 }  // namespace

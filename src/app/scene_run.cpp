@@ -44,6 +44,7 @@ void log_end(spdlog::logger& log, const RunSummary& summary) {
       "dropped",
       summary.status, summary.simulated_time, summary.steps, summary.wall_time_loop,
       summary.particle_steps_per_second, summary.frames_written, summary.frames_dropped);
+  if (!summary.frames_drawn_by.empty()) log.info("frames drawn by {}", summary.frames_drawn_by);
 }
 
 }  // namespace

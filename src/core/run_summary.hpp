@@ -43,6 +43,7 @@ struct RunSummary {
   double mass_error = 0.0;       ///< (final + outflow - initial) / initial
   std::uint64_t frames_written = 0;
   std::uint64_t frames_dropped = 0;
+  std::string frames_drawn_by;  ///< context, driver and version; empty where no particles were drawn
 };
 
 }  // namespace eisph

@@ -20,7 +20,7 @@ Json summary_json(const RunSummary& summary) {
                pressure_iterations_mean, cpu_time_total, stage_ns_per_particle_step, state_bytes_per_particle,
                state_bytes_by_array, peak_rss_bytes, penetrations, lost_particles, outflow_particles,
                outflow_volume, compression_max, compression_p95, energy_initial, energy_final,
-               energy_gain_max, mass_error, frames_written, frames_dropped] = summary;
+               energy_gain_max, mass_error, frames_written, frames_dropped, frames_drawn_by] = summary;
   Json json;
 #define EISPH_PUT(name) json[#name] = name  // NOLINT(cppcoreguidelines-macro-usage)
   EISPH_PUT(scene);
@@ -58,6 +58,7 @@ Json summary_json(const RunSummary& summary) {
   EISPH_PUT(mass_error);
   EISPH_PUT(frames_written);
   EISPH_PUT(frames_dropped);
+  EISPH_PUT(frames_drawn_by);
 #undef EISPH_PUT
   return json;
 }

@@ -29,10 +29,11 @@ class Library {
     if (windows()++ > 0) return;
     if (glfwInit() == GLFW_TRUE) return;
     windows() = 0;
-    throw InputError(fmt::format(
-        "no window can be opened ({}); without a display use --context osmesa or egl, or run under xvfb-run "
-        "(Debian package xvfb)",
-        complaint()));
+    throw InputError(
+        fmt::format("no window can be opened ({}): it takes a display, which xvfb-run (Debian package xvfb) "
+                    "makes in memory; "
+                    "frames need none with --context osmesa or egl",
+                    complaint()));
   }
   static void close() {
     const std::lock_guard lock(mutex());

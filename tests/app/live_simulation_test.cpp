@@ -88,7 +88,7 @@ TEST_F(LiveSimulationTest, ThePlotsHaveARowForEveryOutputTime) {
   const auto front = std::find_if(plots->begin(), plots->end(),
                                   [](const ProbePlot& plot) { return plot.title == "leading_edge"; });
   ASSERT_NE(front, plots->end());
-  EXPECT_THAT(front->time, ElementsAre(0.0, 0.25, 0.5, 0.75, 1.0));
+  EXPECT_THAT(front->x, ElementsAre(0.0, 0.25, 0.5, 0.75, 1.0));
   EXPECT_EQ(live.plots(), plots) << "the same as long as nothing is added";
 }
 

@@ -34,9 +34,9 @@ constexpr int kRightKey = GLFW_KEY_RIGHT;
 class SourceDouble final : public StateSource {
  public:
   explicit SourceDouble(const Snapshot& snapshot) : snapshot_(std::make_shared<const Snapshot>(snapshot)) {
-    ProbePlot plot{.title = "gauge_a", .unit = "m", .time = {}, .series = {{"level", {}}, {"surface", {}}}};
+    ProbePlot plot{.title = "gauge_a", .unit = "m", .x = {}, .series = {{"level", {}}, {"surface", {}}}};
     for (int k = 0; k <= 80; ++k) {
-      plot.time.push_back(0.01 * k);
+      plot.x.push_back(0.01 * k);
       plot.series[0].values.push_back(0.1 * std::exp(-0.02 * k));
       plot.series[1].values.push_back(k < 20 ? std::nan("") : 0.05 + 0.0005 * k);
     }

@@ -43,7 +43,7 @@ TEST(RunJson, HasTheFieldsOfTheSummaryAndTheCircumstancesAtItsTopLevel) {
           "state_bytes_per_particle", "state_bytes_by_array", "peak_rss_bytes", "penetrations",
           "lost_particles", "outflow_particles", "outflow_volume", "compression_max", "compression_p95",
           "energy_initial", "energy_final", "energy_gain_max", "mass_error", "frames_written",
-          "frames_dropped", "version", "build", "host", "started", "finished"));
+          "frames_dropped", "frames_drawn_by", "version", "build", "host", "started", "finished"));
 }
 
 TEST(RunJson, GivesEachFieldItsOwnValue) {

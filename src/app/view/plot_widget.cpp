@@ -44,7 +44,8 @@ void draw_plot(const ProbePlot& plot, double time, double end_time, float height
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight();
   const std::array<double, 2> ends = ends_of(plot);
-  const double last = plot.time.size() > 1 ? plot.time.back() : std::max(end_time, 1e-9);
+  const bool of_line = plot.over_distance;
+  const double last = plot.x.size() > 1 ? plot.x.back() : std::max(of_line ? 1.0 : end_time, 1e-9);
 
   std::string heading = plot.title;
   if (plot.series.size() == 1) heading += ": " + plot.series.front().name;
@@ -76,14 +77,16 @@ void draw_plot(const ProbePlot& plot, double time, double end_time, float height
   list.AddText(ImVec2(corner.x, upper_left.y - 0.3F * line), text, top.c_str());
   list.AddText(ImVec2(corner.x, lower_right.y - 0.7F * line), text, bottom.c_str());
   list.AddText(ImVec2(upper_left.x, lower_right.y + 0.1F * line), text, "0");
-  const std::string end = fmt::format("{:.3g} s", last);
+  const std::string end = fmt::format("{:.3g} {}", last, of_line ? "m" : "s");
   list.AddText(ImVec2(lower_right.x - ImGui::CalcTextSize(end.c_str()).x, lower_right.y + 0.1F * line), text,
                end.c_str());
-  const float cursor = at(std::min(time, last), ends[0]).x;
-  list.AddLine(ImVec2(cursor, upper_left.y), ImVec2(cursor, lower_right.y), kCursor, 2.0F);
+  if (!of_line) {
+    const float cursor = at(std::min(time, last), ends[0]).x;
+    list.AddLine(ImVec2(cursor, upper_left.y), ImVec2(cursor, lower_right.y), kCursor, 2.0F);
+  }
 
   // Not more points than can be told apart.
-  const std::size_t stride = std::max<std::size_t>(1, plot.time.size() / 1000);
+  const std::size_t stride = std::max<std::size_t>(1, plot.x.size() / 1000);
   std::vector<ImVec2> points;
   points.reserve(1002);
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
@@ -95,7 +98,7 @@ void draw_plot(const ProbePlot& plot, double time, double end_time, float height
     };
     for (std::size_t row = 0; row < values.size(); row += stride) {
       if (std::isfinite(values[row])) {
-        points.push_back(at(plot.time[row], values[row]));
+        points.push_back(at(plot.x[row], values[row]));
       } else {
         flush();
       }

@@ -11,7 +11,7 @@
 
 namespace eisph {
 
-/// Columns of one table and one unit over time.
+/// Columns of one table and one unit over time, or along a line.
 struct ProbePlot {
   struct Series {
     std::string name;
@@ -19,14 +19,22 @@ struct ProbePlot {
   };
   std::string title;  ///< of the table
   std::string unit;
-  std::vector<double> time;  ///< s
+  bool over_distance = false;
+  std::vector<double> x;  ///< time, s, or distance, m
   std::vector<Series> series;
 };
 
-/// The columns of a table over its column `time`, those of one unit together but pure numbers apart; nothing
-/// for tables with several rows at a time.
-[[nodiscard]] std::vector<ProbePlot> plots_of(const TableHeader& header,
-                                              const std::vector<std::vector<double>>& columns);
+/// A table in memory.
+struct PlotTable {
+  TableHeader header;
+  std::vector<std::vector<double>> columns;
+};
+
+/// The columns of a table over its column `time`, those of one unit together but pure numbers apart. A table
+/// of a line is plotted over its column `distance`, at the last time up to `time` (s); other tables with
+/// several rows at a time give nothing.
+[[nodiscard]] std::vector<ProbePlot> plots_of(const PlotTable& table, double time);
+[[nodiscard]] std::vector<ProbePlot> plots_of(const std::vector<PlotTable>& tables, double time);
 
 /// Tables in memory, filled by one thread and read by another.
 class PlotTables final : public TableSink {
@@ -38,20 +46,15 @@ class PlotTables final : public TableSink {
   [[nodiscard]] std::shared_ptr<const std::vector<ProbePlot>> plots() const;
 
  private:
-  struct Table {
-    TableHeader header;
-    std::vector<std::vector<double>> columns;
-  };
-
   mutable std::mutex mutex_;
-  std::vector<Table> tables_;
+  std::vector<PlotTable> tables_;
   std::uint64_t rows_ = 0;
   mutable std::uint64_t plotted_rows_ = 0;
   mutable std::shared_ptr<const std::vector<ProbePlot>> plots_ =
       std::make_shared<const std::vector<ProbePlot>>();
 };
 
-/// The plots of all tables (.csv) in the folder of a run. Files that are no tables of numbers are left out.
-[[nodiscard]] std::vector<ProbePlot> read_plots(const std::filesystem::path& folder);
+/// All tables (.csv) in the folder of a run. Files that are no tables of numbers are left out.
+[[nodiscard]] std::vector<PlotTable> read_plot_tables(const std::filesystem::path& folder);
 
 }  // namespace eisph

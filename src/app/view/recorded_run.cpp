@@ -6,8 +6,7 @@
 namespace eisph {
 
 RecordedRun::RecordedRun(const std::filesystem::path& folder)
-    : states_(saved_states(RunFiles{folder})),
-      plots_(std::make_shared<const std::vector<ProbePlot>>(read_plots(folder))) {
+    : states_(saved_states(RunFiles{folder})), tables_(read_plot_tables(folder)) {
   times_.reserve(states_.size());
   for (const SavedState& state : states_) times_.push_back(state.time);
   last_ = states_.size() - 1;
@@ -17,6 +16,7 @@ RecordedRun::RecordedRun(const std::filesystem::path& folder)
 void RecordedRun::show(std::size_t state) {
   shown_ = std::min(state, states_.size() - 1);
   play_time_ = times_[shown_];
+  plots_ = std::make_shared<const std::vector<ProbePlot>>(plots_of(tables_, times_[shown_]));
   try {
     snapshot_ = std::make_shared<const Snapshot>(read_state(states_[shown_]));
     message_.clear();

@@ -35,6 +35,7 @@ class RecordedRun final : public StateSource {
 
   std::vector<SavedState> states_;
   std::vector<double> times_;
+  std::vector<PlotTable> tables_;
   std::shared_ptr<const std::vector<ProbePlot>> plots_;
   std::size_t shown_ = 0;
   std::shared_ptr<const Snapshot> snapshot_;
