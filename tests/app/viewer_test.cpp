@@ -260,7 +260,7 @@ TEST_F(ViewerTest, AppliesParametersAndLogsThem) {
   click(viewer, 100.0F, kParametersHeader + 5.0F * kRow);
   EXPECT_EQ(source_.take_orders(), "parameters ");
   ASSERT_FALSE(viewer.log().empty());
-  EXPECT_THAT(viewer.log().back(), HasSubstr("phi = 0.17"));
+  EXPECT_THAT(viewer.log().front(), HasSubstr("phi = 0.17"));
 }
 
 TEST_F(ViewerTest, ScrubsThroughSavedStates) {

@@ -219,8 +219,8 @@ void Viewer::apply_parameters() {
 
 /// Into the panel and the log file.
 void Viewer::note(const std::string& line) {
-  log_.push_back(line);
-  if (log_.size() > kLogLines) log_.pop_front();
+  log_.push_front(line);
+  if (log_.size() > kLogLines) log_.pop_back();
   create_folder(options_.folder);
   std::ofstream file(options_.folder / "view.log", std::ios::app);
   file << fmt::format("{:%Y-%m-%d %H:%M:%S} ", fmt::localtime(std::time(nullptr))) << line << '\n';

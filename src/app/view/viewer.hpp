@@ -48,6 +48,7 @@ class Viewer {
   /// Whether anything goes on without input.
   [[nodiscard]] bool busy() const { return source_.status().playing; }
   [[nodiscard]] const ViewSettings& settings() const { return settings_; }
+  /// The newest first.
   [[nodiscard]] const std::deque<std::string>& log() const { return log_; }
   [[nodiscard]] std::size_t frames_written() const { return frames_written_; }
   [[nodiscard]] bool recording() const { return recording_; }

@@ -243,7 +243,7 @@ void Viewer::output_section() {
 }
 
 void Viewer::log_section() {
-  for (auto line = log_.rbegin(); line != log_.rend(); ++line) ImGui::TextWrapped("%s", line->c_str());
+  for (const std::string& line : log_) ImGui::TextWrapped("%s", line.c_str());
 }
 
 void Viewer::side_panel() {
