@@ -4,7 +4,9 @@
 #include "app/comparison/video.hpp"
 #include "app/run_files.hpp"
 #include "app/saved_states.hpp"
+#include "app/view/recorded_run.hpp"
 #include "io/scene_file.hpp"
+#include "render/virtual_display.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -196,6 +198,58 @@ TEST_F(EndToEnd, RenderRepeatsTheFramesOfTheRun) {
   const auto frames = files_of_sort(folder_ / "run/frames", ".png");
   EXPECT_THAT(frames, SizeIs(6));
   EXPECT_TRUE(frames == files_of_sort(folder_ / "run/rendered", ".png"));
+}
+
+TEST_F(EndToEnd, ViewShowsASceneAndARunInAWindow) {
+  const auto view = [&](const fs::path& subject, const char* until) {
+    return run_program_with({"view", subject.string(), "--until", until, "--width", "640", "--height", "480",
+                             "--threads", "1", "--out", (folder_ / "seen").string()});
+  };
+  {
+    const WithoutDisplay nothing;
+    const ProcessResult result = view(tank_, "0.04");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("no window can be opened"));
+  }
+  const VirtualDisplay display;
+  const ProcessResult live = view(tank_, "0.04");
+  EXPECT_EQ(live.exit_code, 0) << live.err;
+  EXPECT_THAT(live.out, HasSubstr("tank: t = 0.04 s"));
+  ASSERT_EQ(run(column_, "run", {"--no-frames"}).exit_code, 0);
+  const ProcessResult recorded = view(folder_ / "run", "0.05");
+  EXPECT_EQ(recorded.exit_code, 0) << recorded.err;
+  EXPECT_THAT(recorded.out, HasSubstr("column: t = 0.05 s"));
+  EXPECT_FALSE(fs::exists(folder_ / "seen")) << "nothing is written unasked";
+  EXPECT_EQ(view(folder_ / "nowhere", "0.1").exit_code, 2);
+}
+
+TEST_F(EndToEnd, ARecordedRunIsShownStateByState) {
+  ASSERT_EQ(run(column_, "run", {"--no-frames"}).exit_code, 0);
+  RecordedRun recorded(folder_ / "run");
+  EXPECT_EQ(recorded.saved_times(), (std::vector<double>{0.0, 0.033, 0.05, 0.1}));
+  EXPECT_EQ(recorded.latest()->time, 0.0);
+  recorded.step();
+  EXPECT_EQ(recorded.latest()->time, 0.033);
+  EXPECT_FALSE(recorded.status().at_end);
+  recorded.show(3);
+  EXPECT_EQ(recorded.latest()->time, 0.1);
+  EXPECT_TRUE(recorded.status().at_end);
+  const auto plots = recorded.plots();
+  EXPECT_TRUE(std::any_of(plots->begin(), plots->end(), [](const ProbePlot& plot) {
+    return plot.title == "gauge_wall" && plot.x.size() == 11;
+  }));
+  recorded.restart();
+  std::vector<double> taken;
+  recorded.record(0.0, [&](const Snapshot& snapshot) { taken.push_back(snapshot.time); });
+  recorded.play();
+  EXPECT_TRUE(recorded.status().playing);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));  // all states are due, one is shown in a round
+  for (int k = 0; k < 20 && recorded.status().playing; ++k) {
+    static_cast<void>(recorded.latest());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_FALSE(recorded.status().playing);
+  EXPECT_EQ(taken, (std::vector<double>{0.033, 0.05, 0.1}));
 }
 
 TEST_F(EndToEnd, VideoJoinsTheFramesOfTheRun) {
