@@ -74,6 +74,7 @@ class GoldenFrame : public ::testing::Test {
 TEST_F(GoldenFrame, ParticlesInPerspective) { expect_golden("perspective", draw(furnished_tank(), small())); }
 
 TEST_F(GoldenFrame, SaysWhatDraws) {
+  const VirtualDisplay display;
   const synthetic::State state = furnished_tank();
   for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window}) {
     FrameRenderer renderer(state.scene, {.context = kind});
