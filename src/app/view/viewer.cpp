@@ -120,12 +120,14 @@ void Viewer::follow_state() {
   auto newest = source_.latest();
   if (newest == nullptr || newest == snapshot_) return;
   snapshot_ = std::move(newest);
-  const bool needs_depth =
-      settings_.picture.field == "depth" || (settings_.side_panel && scene_.dimension == 3);
-  if (needs_depth) {
-    depth_ = depth_builder_.build(*snapshot_);
-    depth_of_ = snapshot_;
-  }
+  if (settings_.side_panel && scene_.dimension == 3) find_depth();
+}
+
+/// The depth grid of the state that is shown.
+void Viewer::find_depth() {
+  if (depth_of_ == snapshot_) return;
+  depth_ = depth_builder_.build(*snapshot_);
+  depth_of_ = snapshot_;
 }
 
 ImageSettings Viewer::picture_settings() const {
@@ -151,10 +153,7 @@ ImageSettings Viewer::picture_settings() const {
 /// Draws the picture unless it would be the one that is there.
 void Viewer::paint(int width, int height) {
   if (snapshot_ == nullptr) return;
-  if (settings_.picture.field == "depth" && depth_of_ != snapshot_) {
-    depth_ = depth_builder_.build(*snapshot_);
-    depth_of_ = snapshot_;
-  }
+  if (settings_.picture.field == "depth") find_depth();
   if (settings_.range_mode == RangeMode::Fitted && painted_ != snapshot_) {
     const std::vector<std::uint32_t> all = finite_particles(*snapshot_);
     const std::vector<float> values = field_values(settings_.picture.field, *snapshot_, depth_, all);

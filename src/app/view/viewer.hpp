@@ -85,6 +85,7 @@ class Viewer {
   /// What the picture shows now, complete with range and clip box.
   [[nodiscard]] ImageSettings picture_settings() const;
   void follow_state();
+  void find_depth();
   void paint(int width, int height);
 
   const Scene scene_;
