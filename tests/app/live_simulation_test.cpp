@@ -68,6 +68,26 @@ TEST_F(LiveSimulationTest, TakesOneStepAtATime) {
   }
 }
 
+TEST_F(LiveSimulationTest, OrdersGivenDuringAStepStand) {
+  std::function<void()> during_step;
+  LiveSimulation live(small_scene(), [&] {
+    auto simulation = std::make_unique<SimulationDouble>(0.01);
+    simulation->set_during_step([&] {
+      if (during_step) during_step();
+    });
+    return simulation;
+  });
+  wait_for([&] { return shown_time(live) == 0.0; });
+  // A single step, in which the user presses play; at the time then ordered, another time.
+  during_step = [&, step = 0]() mutable {
+    ++step;
+    if (step == 1) live.run_to(0.1);
+    if (step == 10) live.run_to(0.2);
+  };
+  live.step();
+  wait_for([&] { return shown_time(live) == 0.2 && !live.status().playing; });
+}
+
 TEST_F(LiveSimulationTest, RunsToATimeExactlyAndThenToTheEnd) {
   LiveSimulation live(small_scene(), maker());
   live.run_to(0.333);

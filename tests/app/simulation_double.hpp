@@ -4,6 +4,7 @@
 #include "scheme/simulation.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ class SimulationDouble : public Simulation {
   void initialise() override { initialised_ = true; }
 
   void step(double until) override {
+    if (during_step_) during_step_();
     if (time_ >= blow_up_time_) throw BlowUpError("particle 0 left the range at t = 0.5 s");
     last_step_ = std::min(time_step_, until - time_);
     time_ = time_ + time_step_ >= until ? until : time_ + time_step_;
@@ -63,6 +65,9 @@ class SimulationDouble : public Simulation {
   void set_parameters(const RunningParameters& parameters) override { parameters_ = parameters; }
   [[nodiscard]] const RunningParameters& parameters() const { return parameters_; }
 
+  /// Called in every step, by the thread that takes it.
+  void set_during_step(std::function<void()> call) { during_step_ = std::move(call); }
+
   [[nodiscard]] bool initialised() const { return initialised_; }
   [[nodiscard]] int snapshots() const { return snapshots_; }
   [[nodiscard]] const std::vector<double>& step_ends() const { return step_ends_; }
@@ -75,6 +80,7 @@ class SimulationDouble : public Simulation {
   std::uint64_t steps_ = 0;
   bool initialised_ = false;
   RunningParameters parameters_;
+  std::function<void()> during_step_;
   mutable int snapshots_ = 0;
   std::vector<double> step_ends_;
 };

@@ -84,7 +84,10 @@ void LiveSimulation::run_to(double time) {
   ordered_.notify_all();
 }
 
-void LiveSimulation::pause() { stop_playing(); }
+void LiveSimulation::pause() {
+  const std::lock_guard lock(mutex_);
+  orders_.play = false;
+}
 
 void LiveSimulation::step() {
   {
@@ -123,9 +126,9 @@ void LiveSimulation::record(double interval, Recorder take) {
   ordered_.notify_all();
 }
 
-void LiveSimulation::stop_playing() {
+void LiveSimulation::pause_if_reached(double time) {
   const std::lock_guard lock(mutex_);
-  orders_.play = false;
+  if (time >= std::min(orders_.until, scene_.end_time)) orders_.play = false;
 }
 
 void LiveSimulation::work() {
@@ -198,7 +201,7 @@ bool LiveSimulation::run_once() {
     if (recorded || probed) snapshot = simulation->snapshot();
     if (probed) probes.record(*snapshot);
     const bool stops = orders->step || simulation->time() >= std::min(orders->until, scene_.end_time);
-    if (stops) stop_playing();
+    if (stops) pause_if_reached(simulation->time());
     if (stops || wanted_.exchange(false)) publish(*simulation);
     if (stops || seconds_since(told) > kTelling) {
       tell(*simulation, wall_time);

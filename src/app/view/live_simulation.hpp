@@ -58,7 +58,8 @@ class LiveSimulation final : public StateSource {
   bool run_once();
   /// Waits for something to do: a step, with what is to be heeded in it. Nothing at a restart or the end.
   [[nodiscard]] std::optional<Orders> next_orders(bool at_end, const Simulation& simulation);
-  void stop_playing();
+  /// Ends the playing where the time (s) ordered last is reached: orders given during a step stand.
+  void pause_if_reached(double time);
   void publish(const Simulation& simulation);
   void hand_to_recorder(std::shared_ptr<const Snapshot> snapshot);
   void tell(const Simulation& simulation, double wall_time);
