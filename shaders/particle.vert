@@ -7,6 +7,7 @@ layout(location = 1) in float value;
 
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec2 margin;          // part of the drawn area that the target takes
 uniform float radius;         // m
 uniform float focal_length;   // samples per metre at unit clip w
 uniform float lower;          // field value of the colour map's first row
@@ -21,6 +22,7 @@ void main() {
   vec4 eye = view * vec4(position, 1.0);
   centre = eye.xyz;
   gl_Position = projection * eye;
+  gl_Position.xy *= margin;
   gl_PointSize = max(2.0 * radius * focal_length / max(gl_Position.w, 1e-6), 1.5);
   smallness = clamp((6.0 - gl_PointSize) / 3.0, 0.0, 1.0);
   float fraction = clamp((value - lower) / (upper - lower), 0.0, 1.0);

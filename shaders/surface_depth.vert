@@ -8,6 +8,7 @@ layout(location = 2) in float radius;  // m
 
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec2 margin;         // part of the drawn area that the target takes
 uniform float focal_length;  // samples per metre at unit clip w
 
 out float centre_z;
@@ -20,5 +21,6 @@ void main() {
   field = value;
   sphere_radius = radius;
   gl_Position = projection * eye;
+  gl_Position.xy *= margin;
   gl_PointSize = max(2.0 * radius * focal_length / max(gl_Position.w, 1e-6), 1.5);
 }

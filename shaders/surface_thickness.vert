@@ -7,6 +7,7 @@ layout(location = 1) in float volume;  // over that of a cube of the spacing
 
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec2 margin;          // part of the drawn area that the target takes
 uniform float spacing;       // m
 uniform float focal_length;  // of the thickness target, samples per metre at unit clip w
 
@@ -15,6 +16,7 @@ flat out float amount;  // m of water in the middle of the disc
 void main() {
   vec4 eye = view * vec4(position, 1.0);
   gl_Position = projection * eye;
+  gl_Position.xy *= margin;
   float spacing_on_screen = spacing * focal_length / max(gl_Position.w, 1e-6);
   float radius = max(1.5 * spacing_on_screen, 1.5);
   gl_PointSize = 2.0 * radius;

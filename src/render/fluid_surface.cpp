@@ -1,5 +1,7 @@
 #include "render/fluid_surface.hpp"
 
+#include "render/point_margin.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -141,6 +143,7 @@ void FluidSurface::draw_distances(const CameraView& camera, float focal_length,
   distance_program_.set("view", camera.view());
   distance_program_.set("projection", camera.projection());
   distance_program_.set("focal_length", focal_length);
+  const PointMargin margin(gl_, distance_program_, distances_->width(), distances_->height());
   gl_.BindVertexArray(shown_array_.name());
   gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(shown.size()));
 }
@@ -180,6 +183,7 @@ void FluidSurface::draw_thickness(const OffscreenTarget& opaque, const CameraVie
   thickness_program_.set("focal_length", focal_length / static_cast<float>(thickness_factor_));
   thickness_program_.set("opaque_depth", 0);
   thickness_program_.set("factor", thickness_factor_);
+  const PointMargin margin(gl_, thickness_program_, thickness_->width(), thickness_->height());
   gl_.BindVertexArray(all_array_.name());
   gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(all.size()));
   gl_.Disable(GL_BLEND);

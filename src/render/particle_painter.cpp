@@ -1,5 +1,7 @@
 #include "render/particle_painter.hpp"
 
+#include "render/point_margin.hpp"
+
 #include <cstddef>
 
 namespace eisph {
@@ -22,7 +24,7 @@ ParticlePainter::ParticlePainter(const GlFunctions& gl, const std::filesystem::p
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void ParticlePainter::draw(const CameraView& camera, int samples_per_pixel,
+void ParticlePainter::draw(const OffscreenTarget& target, const CameraView& camera, int samples_per_pixel,
                            const std::vector<ParticleVertex>& particles, float radius, const ColourMap& map,
                            double lower, double upper) const {
   if (particles.empty()) return;
@@ -41,6 +43,7 @@ void ParticlePainter::draw(const CameraView& camera, int samples_per_pixel,
   program_.set("lower", static_cast<float>(lower));
   program_.set("upper", static_cast<float>(upper));
   program_.set("colour_map", 0);
+  const PointMargin margin(gl_, program_, target.width(), target.height());
   gl_.BindVertexArray(vertex_array_.name());
   gl_.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(particles.size()));
 }

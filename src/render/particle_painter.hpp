@@ -4,6 +4,7 @@
 #include "render/camera_view.hpp"
 #include "render/colour_map.hpp"
 #include "render/gl_object.hpp"
+#include "render/offscreen_target.hpp"
 #include "render/shader_program.hpp"
 
 #include <filesystem>
@@ -22,9 +23,11 @@ class ParticlePainter {
  public:
   ParticlePainter(const GlFunctions& gl, const std::filesystem::path& shaders);
 
-  /// `radius` in metres; `samples_per_pixel` along one axis. Values from `lower` to `upper` span the map.
-  void draw(const CameraView& camera, int samples_per_pixel, const std::vector<ParticleVertex>& particles,
-            float radius, const ColourMap& map, double lower, double upper) const;
+  /// Into the bound `target`; `radius` in metres; `samples_per_pixel` along one axis. Values from `lower` to
+  /// `upper` span the map.
+  void draw(const OffscreenTarget& target, const CameraView& camera, int samples_per_pixel,
+            const std::vector<ParticleVertex>& particles, float radius, const ColourMap& map, double lower,
+            double upper) const;
 
  private:
   const GlFunctions& gl_;

@@ -169,8 +169,8 @@ void ParticlePicture::draw_particles(const ImageSettings& settings, const Camera
   const std::vector<float> values = field_values(settings.field, snapshot, depth, chosen);
   std::vector<ParticleVertex> vertices(chosen.size());
   for (std::size_t k = 0; k < chosen.size(); ++k) vertices[k] = {snapshot.position[chosen[k]], values[k]};
-  particle_painter_.draw(camera, options_.samples_per_pixel, vertices, sphere_radius(snapshot), map,
-                         scale.lower, scale.upper);
+  particle_painter_.draw(*samples_, camera, options_.samples_per_pixel, vertices, sphere_radius(snapshot),
+                         map, scale.lower, scale.upper);
 }
 
 /// Object, ghost and virtual particles, each sort in its own colour.
@@ -184,7 +184,7 @@ void ParticlePicture::draw_other_particles(const ImageSettings& settings, const 
     for (const Vec3f& position : positions) {
       if (is_within(settings.clip, position)) vertices.push_back({position, 0.0F});
     }
-    particle_painter_.draw(camera, options_.samples_per_pixel, vertices, radius,
+    particle_painter_.draw(*samples_, camera, options_.samples_per_pixel, vertices, radius,
                            ColourMap::two_colours(colour, colour), 0.0, 1.0);
   };
   const float radius = sphere_radius(snapshot);

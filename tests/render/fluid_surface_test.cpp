@@ -162,6 +162,36 @@ TEST(FluidSurface, ADropIsSeenAtItsPlaceAndSizeInTheAirAndOnTheFloor) {
   }
 }
 
+TEST(FluidSurface, ASphereLeavesThePictureBitByBit) {
+  for (const auto style : {WaterStyle::Spheres, WaterStyle::Surface}) {
+    for (const Vec3d& way : {Vec3d(1.0, 0.0, 0.0), Vec3d(0.0, 1.0, 0.0)}) {
+      synthetic::State state = pool(0);
+      state.scene.particle_spacing = 0.1;
+      state.snapshot.particle_spacing = 0.1;
+      FrameRenderer renderer(state.scene);
+      const Image bare = renderer.draw(from_above(style), state.snapshot, state.depth);
+      synthetic::add_particle(state, Vec3d::Zero(), Vec3d::Zero(), 0.0);
+      int first = 0;
+      int before = 0;
+      int last = 0;
+      for (int pixels = 0; pixels <= 200; pixels += 4) {
+        const Vec3d place = Vec3d(0.4, 0.4, 0.1) + 0.0025 * pixels * way;
+        state.snapshot.position.back() = place.cast<float>();
+        const Image frame = renderer.draw(from_above(style), state.snapshot, state.depth);
+        last = 0;
+        for (std::size_t k = 0; k < frame.rgb.size(); k += 3) {
+          if (!std::equal(&frame.rgb[k], &frame.rgb[k] + 3, &bare.rgb[k])) ++last;
+        }
+        if (pixels == 0) first = before = last;
+        EXPECT_LT(std::abs(last - before), first / 4) << way.transpose() << " " << pixels;
+        before = last;
+      }
+      EXPECT_GT(first, 500);
+      EXPECT_EQ(last, 0);
+    }
+  }
+}
+
 TEST(FluidSurface, TheCullingOfHiddenParticlesChangesNothing) {
   const synthetic::State state = synthetic::tank(0.02);
   ImageSettings settings;

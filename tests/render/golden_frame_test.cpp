@@ -49,7 +49,7 @@ class GoldenFrame : public ::testing::Test {
     Image frame = by(kinds.front());
     if (settings.kind != ImageKind::Particles) return frame;
     for (std::size_t k = 1; k < kinds.size(); ++k) {
-      EXPECT_LE(different_pixels(frame, by(kinds[k])), kDifferentPixels) << context_name(kinds[k]);
+      EXPECT_LE(different_pixels(frame, by(kinds[k])), allowed_different_pixels()) << context_name(kinds[k]);
     }
     return frame;
   }
