@@ -39,10 +39,14 @@ class GoldenFrame : public ::testing::Test {
     if (kinds.empty()) throw InputError("EISPH_TEST_CONTEXTS names no context");
     return kinds;
   }
+  /// One for all tests of the process.
+  static void open_display() {
+    if (!display()) display() = std::make_unique<VirtualDisplay>();
+  }
   /// The frame of the first context, after making sure that the other contexts draw the same.
   static Image draw(const synthetic::State& state, const ImageSettings& settings) {
     const auto by = [&](ContextKind kind) {
-      if (kind == ContextKind::Window && !display()) display() = std::make_unique<VirtualDisplay>();
+      if (kind == ContextKind::Window) open_display();
       return FrameRenderer(state.scene, {.context = kind}).draw(settings, state.snapshot, state.depth);
     };
     const std::vector<ContextKind> kinds = contexts();
@@ -87,9 +91,9 @@ class GoldenFrame : public ::testing::Test {
 TEST_F(GoldenFrame, ParticlesInPerspective) { expect_golden("perspective", draw(furnished_tank(), small())); }
 
 TEST_F(GoldenFrame, SaysWhatDraws) {
-  const VirtualDisplay display;
   const synthetic::State state = furnished_tank();
-  for (const ContextKind kind : {ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window}) {
+  for (const ContextKind kind : contexts()) {
+    if (kind == ContextKind::Window) open_display();
     FrameRenderer renderer(state.scene, {.context = kind});
     EXPECT_EQ(renderer.context_description(), "");
     static_cast<void>(renderer.draw(small(), state.snapshot, state.depth));
