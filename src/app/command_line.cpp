@@ -192,6 +192,10 @@ void add_pareto(CLI::App& app, CommandLine& line) {
       ->type_name("N")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  command
+      ->add_option("--peers", line.pareto.peers,
+                   "Runs of other programs, each a folder with peer.toml; see the README")
+      ->type_name("DIR");
   command->add_option("--out", line.pareto.out, "Folder of the report")
       ->type_name("DIR")
       ->capture_default_str();

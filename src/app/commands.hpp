@@ -95,6 +95,7 @@ struct ParetoOptions {
   bool full = false;               ///< published spacings and durations
   bool list = false;               ///< only tell what cases there are
   int repeats = 3;                 ///< runs of each setting
+  std::filesystem::path peers;     ///< runs of other programs; empty: none
   std::filesystem::path out = std::filesystem::path("out") / "pareto";
   bool quiet = false;
 };

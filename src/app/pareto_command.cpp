@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/pareto/pareto_study.hpp"
+#include "app/pareto/peer_runs.hpp"
 #include "app/progress.hpp"
 #include "compare/plot.hpp"
 #include "io/file_io.hpp"
@@ -48,6 +49,8 @@ int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream
   const InterruptWatcher interrupt;
   const auto cases = choose_cases("pareto", pareto_cases(), options.cases);
   const auto settings = choose_settings(options.only);
+  std::vector<PeerRun> peers;
+  if (!options.peers.empty()) peers = find_peer_runs(options.peers, cases, options.full);
   require_gnuplot();
   create_folder(options.out);
   Validator validator({options.out, 1, options.full, options.quiet}, progress,
@@ -55,7 +58,7 @@ int pareto_command(const ParetoOptions& options, std::ostream& out, std::ostream
   std::vector<ParetoResult> results;
   try {
     for (const ParetoCase* chosen : cases) {
-      results.push_back(study(*chosen, settings, options.repeats, validator));
+      results.push_back(study(*chosen, settings, options.repeats, validator, peers));
       write_pareto_case(options.out, results.back());
       write_pareto_report(options.out, results, subtitle(options));
       if (!options.quiet) print_best(out, results.back());

@@ -82,6 +82,14 @@ bool is_on(const std::vector<std::size_t>& front, std::size_t point) {
   return std::find(front.begin(), front.end(), point) != front.end();
 }
 
+/// A figure that is known, by a format of the library; else a dash.
+std::string known_figure(fmt::format_string<const double&> format, const double value) {
+  return std::isfinite(value) ? fmt::format(format, value) : "-";
+}
+
+/// In a table of numbers an unknown one is an empty field.
+std::string field(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : ""; }
+
 /// All points of a case.
 ReportTable points_table(const ParetoResult& result) {
   ReportTable table{.caption = fmt::format("{} to {:g} s", result.chosen->title, result.end),
@@ -101,12 +109,12 @@ ReportTable points_table(const ParetoResult& result) {
       continue;
     }
     const auto [least, most] = std::minmax_element(point.cpu_times.begin(), point.cpu_times.end());
-    row.insert(
-        row.end(),
-        {fmt::format("{}", point.particles), fmt::format("{:.3g}", point.time_step),
-         fmt::format("{:.3g} ({:.3g} to {:.3g})", point.cpu_time(), *least, *most),
-         fmt::format("{:.3g}", point.pair_evaluations), fmt::format("{:.1f}", 1e-6 * point.state_memory),
-         fmt::format("{:.1f}", 100.0 * point.compression), fmt::format("{:.2g}", 100.0 * point.energy_gain)});
+    row.insert(row.end(), {fmt::format("{}", point.particles), fmt::format("{:.3g}", point.time_step),
+                           fmt::format("{:.3g} ({:.3g} to {:.3g})", point.cpu_time(), *least, *most),
+                           known_figure("{:.3g}", point.pair_evaluations),
+                           known_figure("{:.1f}", 1e-6 * point.state_memory),
+                           known_figure("{:.1f}", 100.0 * point.compression),
+                           known_figure("{:.2g}", 100.0 * point.energy_gain)});
     for (std::size_t e = 0; e < point.errors.size(); ++e) {
       row.push_back(fmt::format("{:.2f}{}", point.errors[e], is_on(fronts[e], k) ? " (front)" : ""));
     }
@@ -201,9 +209,9 @@ void write_pareto_case(const std::filesystem::path& folder, const ParetoResult& 
     const bool ran = point.failure.empty();
     const auto [least, most] = std::minmax_element(point.cpu_times.begin(), point.cpu_times.end());
     text += fmt::format("\"{}\",\"{}\",{:g}", point.scheme, point.step, point.spacing);
-    text += ran ? fmt::format(",{},{},{:g},{:g},{:g},{:g},{:g},{},{:g},{:g}", point.particles, point.steps,
-                              point.time_step, point.cpu_time(), *least, *most, point.pair_evaluations,
-                              point.state_memory, point.compression, point.energy_gain)
+    text += ran ? fmt::format(",{},{},{:g},{:g},{:g},{:g},{},{},{},{}", point.particles, point.steps,
+                              point.time_step, point.cpu_time(), *least, *most, field(point.pair_evaluations),
+                              field(point.state_memory), field(point.compression), field(point.energy_gain))
                 : ",,,,,,,,,,";
     for (std::size_t e = 0; e < result.chosen->errors.size(); ++e) {
       text += ran ? fmt::format(",{:g},{}", point.errors[e], is_on(fronts[e], k) ? 1 : 0) : ",,";
@@ -232,7 +240,9 @@ void write_pareto_report(const std::filesystem::path& folder, const std::vector<
       "pressure of t = 0: the median of the repetitions, which ran through the settings in turn and back. "
       "Pair "
       "evaluations are the entries of neighbour lists that were read. Memory is that of the state of "
-      "the solver, which only grows in a run.",
+      "the solver, which only grows in a run. Runs of other programs ran once, outside; their states were "
+      "looked "
+      "at with the same probes, their CPU time is what they told.",
       "A point is on the Pareto front if no other one is as cheap and as accurate. Errors include those of "
       "the "
       "model against an experiment, which no setting can remove: differences below them say nothing."};

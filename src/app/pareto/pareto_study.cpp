@@ -1,5 +1,6 @@
 #include "app/pareto/pareto_study.hpp"
 
+#include "app/pareto/peer_runs.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ std::vector<CostAndError> ParetoResult::costs(std::size_t error, bool pairs) con
 }
 
 ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& settings, int repeats,
-                   Validator& validator) {
+                   Validator& validator, const std::vector<PeerRun>& peers) {
   const std::vector<double>& spacings = validator.pick(chosen.full_spacings, chosen.quick_spacings);
   ParetoResult result;
   result.chosen = &chosen;
@@ -119,6 +120,12 @@ ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& s
   }
   if (repeats % 2 == 0) std::reverse(entries.begin(), entries.end());
   for (Entry& entry : entries) result.points.push_back(std::move(entry.point));
+  for (const PeerRun& peer : peers) {
+    if (peer.flow != chosen.name) continue;
+    const std::string label = fmt::format("peer_{:03}", result.points.size() - entries.size());
+    result.points.push_back(
+        measure_peer(peer, chosen, reference ? &*reference : nullptr, validator.run_folder(label)));
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "app/pareto/pareto_cases.hpp"
 #include "app/validate/validator.hpp"
 #include "compare/pareto_front.hpp"
+#include "core/peer_run.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace eisph {
 
-/// What came of one setting on one spacing.
+/// What came of one setting on one spacing, or of another program. What that did not tell is not-a-number.
 struct ParetoPoint {
   std::string scheme;
   std::string step;
@@ -43,9 +44,10 @@ struct ParetoResult {
 };
 
 /// Runs the settings on all spacings of a case, `repeats` times, every other time in reverse order, so that
-/// a machine that becomes slower or faster favours none. Throws ValidationInterrupted.
+/// a machine that becomes slower or faster favours none. Those of `peers` that are of this case follow them.
+/// Throws ValidationInterrupted.
 [[nodiscard]] ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& settings,
-                                 int repeats, Validator& validator);
+                                 int repeats, Validator& validator, const std::vector<PeerRun>& peers = {});
 
 /// Writes <folder>/<case>.csv and the charts <folder>/<case>_<error>.png and _pairs.png.
 void write_pareto_case(const std::filesystem::path& folder, const ParetoResult& result);

@@ -69,15 +69,19 @@ std::filesystem::path Validator::figure_path(const std::string& name) const {
   return settings_.folder / "figures" / (case_ + "_" + name + ".png");
 }
 
+std::filesystem::path Validator::run_folder(const std::string& label) const {
+  return settings_.folder / "runs" / (case_ + (label.empty() ? "" : "_" + label));
+}
+
 ValidationRun Validator::run(const RunRequest& request) {
-  const std::string label = case_ + (request.label.empty() ? "" : "_" + request.label);
   ValidationRun run;
+  run.files = {run_folder(request.label)};
+  const std::string label = run.files.folder.filename().string();
   std::vector<std::string> overrides = request.overrides;
   overrides.push_back("name=" + label);
   overrides.emplace_back("output.times=[]");  // those of the scene may lie beyond the end of this run
   run.scene = load_scene(home_folder() / "scenes" / (request.scene + ".toml"), overrides);
   set_outputs(run.scene, request);
-  run.files = {settings_.folder / "runs" / label};
   check_run_folder(run.files, run.scene.name);
 
   if (!settings_.quiet) fmt::print(progress_, "{}: {}\n", case_, label);

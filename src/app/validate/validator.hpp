@@ -67,6 +67,8 @@ class Validator {
   void begin_case(const std::string& name);
   /// Throws BlowUpError if the run blows up, ValidationInterrupted if it is stopped.
   [[nodiscard]] ValidationRun run(const RunRequest& request);
+  /// Where a run of the case in hand goes.
+  [[nodiscard]] std::filesystem::path run_folder(const std::string& label) const;
   /// Where the case in hand puts a picture of that name.
   [[nodiscard]] std::filesystem::path figure_path(const std::string& name) const;
   /// Of the runs of the case in hand so far.
