@@ -17,15 +17,9 @@ import subprocess
 import sys
 
 import numpy
+from peer import FLOWS, state_name, state_times, write_peer
 
 BASHRC = "/usr/share/openfoam/etc/bashrc"
-
-# Reservoir and tank, m; end and interval of the states, s. Those of the scenes of the same names.
-FLOWS = {
-    "ritter_long": dict(length=1.5, height=0.1, tank=3.3, tank_height=0.2, end=0.8, interval=0.8),
-    "martin_moyce": dict(length=0.05715, height=0.1143, tank=0.4, tank_height=0.2, end=0.24, interval=0.0025),
-}
-
 
 def header(kind, name):
     return f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
@@ -162,24 +156,14 @@ def main():
     cpu_time = float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])
     steps = len(re.findall(r"^Time = ", log, re.MULTILINE))
 
-    states = []
     centres = (numpy.arange(nx) + 0.5) * options.spacing
-    for k in range(round(flow["end"] / flow["interval"]) + 1):
-        instant = k * flow["interval"]
-        path = os.path.join(case, f"{instant:.8g}", "alpha.water")
-        name = f"state_{k:04d}.csv"
-        depths = read_depths(path, nx, nz, options.spacing)
-        numpy.savetxt(os.path.join(options.out, name), numpy.column_stack([centres, depths]), delimiter=",",
-                      header="x [m],depth [m]", comments="", fmt="%.9g")
-        states.append((instant, name))
+    for index, instant in enumerate(state_times(flow)):
+        depths = read_depths(os.path.join(case, f"{instant:.8g}", "alpha.water"), nx, nz, options.spacing)
+        numpy.savetxt(os.path.join(options.out, state_name(index)), numpy.column_stack([centres, depths]),
+                      delimiter=",", header="x [m],depth [m]", comments="", fmt="%.9g")
     shutil.rmtree(case)
-
-    with open(os.path.join(options.out, "peer.toml"), "w") as out:
-        out.write(f'case = "{options.flow}"\nscheme = "OpenFOAM interFoam"\nsetting = "Courant {options.courant:g}"\n')
-        out.write(f"spacing = {options.spacing!r}  # m\nparticles = {nx * nz}  # cells\nsteps = {steps}\ncpu_time = {cpu_time:.6g}  # s\n")
-        for instant, name in states:
-            out.write(f'\n[[state]]\ntime = {instant!r}  # s\nfile = "{name}"\n')
-    print(f"{options.flow}, interFoam: {steps} steps, {cpu_time:.2f} s, {len(states)} states")
+    write_peer(options.out, options.flow, "OpenFOAM interFoam", f"Courant {options.courant:g}", options.spacing,
+               nx * nz, steps, cpu_time)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@
     tests/peers/pysph_column.py --flow martin_moyce --scheme wcsph --spacing 0.0047625 --out out/peers/wcsph_12
 
 The folder then holds what `eisph pareto --peers` reads. Schemes, kernels, constants and time steps are those of
-PySPH's own two-dimensional dam break, at the scale of the flow: sound at ten times sqrt(2 g H), four layers of wall
-particles without friction. One thread. The CPU time is that of the time loop: without output, and without what is
+PySPH's own two-dimensional dam break, at the scale of the flow: sound at ten times sqrt(2 g H), h = 1.3 dx, a time
+step of 0.125 h / c, four layers of wall particles without friction. One thread. The CPU time is that of the time loop: without output, and without what is
 compiled before.
 """
 
@@ -16,6 +16,7 @@ import time
 
 import numpy
 import pysph
+from peer import FLOWS, state_name, state_times, write_peer
 from pysph.base.kernels import QuinticSpline, WendlandQuintic
 from pysph.base.utils import get_particle_array
 from pysph.solver.application import Application
@@ -28,11 +29,6 @@ GRAVITY = 9.81
 DENSITY = 1000.0
 WALL_LAYERS = 4
 
-# Reservoir and tank, m; end and interval of the states, s. Those of the scenes of the same names.
-FLOWS = {
-    "ritter_long": dict(length=1.5, height=0.1, tank=3.3, tank_height=0.2, end=0.8, interval=0.8),
-    "martin_moyce": dict(length=0.05715, height=0.1143, tank=0.4, tank_height=0.2, end=0.24, interval=0.0025),
-}
 SCHEMES = {"wcsph": "WCSPH", "aha": "Adami", "edac": "EDAC"}
 
 
@@ -43,8 +39,6 @@ class Column(Application):
         self.column = options
         self.flow = FLOWS[options.flow]
         self.h = options.smoothing_ratio * options.spacing
-        count = round(self.flow["end"] / self.flow["interval"])
-        self.times = [k * self.flow["interval"] for k in range(1, count + 1)]
         super().__init__(fname="column", output_dir=os.path.join(options.out, "pysph"))
 
     def create_scheme(self):
@@ -52,14 +46,15 @@ class Column(Application):
         sound = 10.0 * numpy.sqrt(2.0 * GRAVITY * self.flow["height"])
         fluids, solids = ["fluid"], ["wall"]
         kernel = QuinticSpline(dim=2)
-        step = 0.125 * self.h / sound
+        step = self.column.courant * self.h / sound
         more = {}
         if name == "wcsph":
             scheme = WCSPHScheme(fluids, solids, dim=2, rho0=DENSITY, c0=sound, h0=self.h,
                                  hdx=self.column.smoothing_ratio, gy=-GRAVITY, alpha=0.1, beta=0.0, gamma=7.0,
                                  hg_correction=True, update_h=True)
             kernel = WendlandQuintic(dim=2)
-            more = dict(integrator_cls=PECIntegrator, adaptive_timestep=True, n_damp=50, fixed_h=False)
+            more = dict(integrator_cls=PECIntegrator, adaptive_timestep=True, cfl=2.4 * self.column.courant, n_damp=50,
+                        fixed_h=False)
         elif name == "aha":
             scheme = AdamiHuAdamsScheme(fluids, solids, dim=2, c0=sound, nu=0.0, rho0=DENSITY, h0=self.h, p0=0.0,
                                         gy=-GRAVITY, gamma=1.0, tdamp=0.0, alpha=0.1)
@@ -67,7 +62,7 @@ class Column(Application):
             scheme = EDACScheme(fluids, solids, dim=2, c0=sound, nu=0.0, rho0=DENSITY, h=self.h, pb=0.0,
                                 gy=-GRAVITY, eps=0.0, clamp_p=True)
         scheme.configure_solver(kernel=kernel, dt=step, tf=self.flow["end"], pfreq=10**9,
-                                output_at_times=self.times, **more)
+                                output_at_times=state_times(self.flow)[1:], **more)
         return scheme
 
     def create_particles(self):
@@ -115,6 +110,8 @@ def main():
     parser.add_argument("--scheme", choices=sorted(SCHEMES), required=True)
     parser.add_argument("--spacing", type=float, required=True, help="particle spacing, m")
     parser.add_argument("--smoothing-ratio", type=float, default=1.3, help="h / dx")
+    parser.add_argument("--courant", type=float, default=0.125,
+                        help="time step over h / c; of WCSPH the first one, the others in proportion")
     parser.add_argument("--out", required=True, help="folder of the run")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
@@ -123,24 +120,20 @@ def main():
     app.setup([])
     cpu_time = app.solve_timed()
 
-    states = []
-    wanted = [0.0] + app.times
+    # Besides the states asked for there are the first and the last step, which may be the same again.
+    times = state_times(app.flow)
+    missing = set(range(len(times)))
     for data, fluid in iter_output(app.output_files, "fluid"):
-        nearest = min(wanted, key=lambda t: abs(t - data["t"]))
-        if abs(nearest - data["t"]) > 1e-9 or any(t == nearest for t, _ in states):
-            continue
-        name = f"state_{len(states):04d}.csv"
-        write_state(os.path.join(options.out, name), fluid)
-        states.append((nearest, name))
+        index = min(range(len(times)), key=lambda k: abs(times[k] - data["t"]))
+        if abs(times[index] - data["t"]) < 1e-9:
+            write_state(os.path.join(options.out, state_name(index)), fluid)
+            missing.discard(index)
+    if missing:
+        raise SystemExit(f"no state at {times[min(missing)]} s")
     shutil.rmtree(os.path.join(options.out, "pysph"))
-
-    with open(os.path.join(options.out, "peer.toml"), "w") as out:
-        out.write(f'case = "{options.flow}"\nscheme = "PySPH {pysph.__version__}, {SCHEMES[options.scheme]}"\n')
-        out.write(f'setting = "h = {options.smoothing_ratio:g} dx"\nspacing = {options.spacing!r}  # m\n')
-        out.write(f"steps = {app.solver.count}\ncpu_time = {cpu_time:.6g}  # s\n")
-        for instant, name in states:
-            out.write(f'\n[[state]]\ntime = {instant!r}  # s\nfile = "{name}"\n')
-    print(f"{options.flow}, {options.scheme}: {app.solver.count} steps, {cpu_time:.2f} s, {len(states)} states")
+    write_peer(options.out, options.flow, f"PySPH {pysph.__version__}, {SCHEMES[options.scheme]}",
+               f"Courant {options.courant:g}", options.spacing, fluid.get_number_of_particles(), app.solver.count,
+               cpu_time)
 
 
 if __name__ == "__main__":

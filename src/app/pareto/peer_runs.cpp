@@ -45,9 +45,10 @@ std::shared_ptr<const ColumnField> columns_of(const Scene& scene, const NumberTa
   auto field = std::make_shared<ColumnField>();
   const double start = scene.domain_min.x();
   field->cell_size = x.empty() ? 0.0 : 2.0 * (x.front() - start);
-  if (!(field->cell_size > 0.0))
+  if (!(field->cell_size > 0.0)) {
     throw InputError(
         fmt::format("{}: x: expected a first cell that begins at {} m", table.path.string(), start));
+  }
   field->origin_x = start;
   field->origin_y = -0.5 * field->cell_size;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -127,9 +128,10 @@ std::vector<PeerRun> find_peer_runs(const std::filesystem::path& folder,
       if (std::filesystem::exists(entry.path() / kName)) files.push_back(entry.path() / kName);
     }
   }
-  if (files.empty())
+  if (files.empty()) {
     throw InputError(
         fmt::format("--peers {}: expected a folder with {} in it or in its folders", folder.string(), kName));
+  }
   std::sort(files.begin(), files.end());
   std::vector<PeerRun> runs;
   runs.reserve(files.size());
