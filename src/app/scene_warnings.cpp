@@ -1,4 +1,5 @@
 #include "app/fluid_volume.hpp"
+#include "app/output_plan.hpp"
 #include "app/scene_report.hpp"
 #include "scheme/time_step.hpp"
 
@@ -18,6 +19,8 @@ constexpr double kLargestThesisPhi = 0.06;
 /// Of the reference speed, as long as no water is that fast. Water at rest gains energy beyond 0.3.
 constexpr double kLargestPhiAtRest = 0.26;
 constexpr double kLargestPhiWithObjects = 0.17;
+/// Times as many steps as without outputs that are worth a word.
+constexpr double kManySteps = 1.3;
 /// Largest relative difference between the volume of the particles and that of the regions.
 constexpr double kVolumeTolerance = 0.01;
 
@@ -126,6 +129,26 @@ void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, c
   }
 }
 
+/// Every output ends a step: those that follow each other within few steps cost more of them.
+void warn_of_short_intervals(std::vector<std::string>& warnings, const Scene& scene,
+                             const SimulationPlan& plan) {
+  const OutputPlan outputs(scene, true);
+  const double whole = scene.end_time / plan.time_step;
+  double steps = 0.0;
+  double shortest = scene.end_time;
+  for (double time = 0.0; time < scene.end_time;) {
+    const double next = std::min(outputs.next_after(time), scene.end_time);
+    steps += std::ceil((next - time) / plan.time_step - 1e-6);
+    shortest = std::min(shortest, next - time);
+    time = next;
+  }
+  if (steps <= kManySteps * whole) return;
+  warnings.push_back(fmt::format(
+      "every output ends a time step: with intervals down to {:.3g} s there are about {:.0f} steps, "
+      "of {:.3g} s at t = 0, where {:.0f} would do",
+      shortest, steps, plan.time_step, std::ceil(whole)));
+}
+
 void warn_of_lost_volume(std::vector<std::string>& warnings, const Scene& scene, double filled,
                          const char* holders, const char* unit_of_length) {
   const double wanted = fluid_volume(scene);
@@ -181,6 +204,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
   }
   warn_of_negative_pressure(warnings, scene);
   warn_of_implicit_blows(warnings, scene);
+  warn_of_short_intervals(warnings, scene, plan);
 
   const double filled =
       static_cast<double>(plan.fluid_particles) * std::pow(scene.particle_spacing, scene.dimension);

@@ -1,7 +1,5 @@
 #include "app/scene_report.hpp"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
 
 namespace eisph {
@@ -47,6 +45,18 @@ SimulationPlan plan_of(const Scene& scene) {
 std::vector<std::string> warnings_of(const Scene& scene) { return scene_warnings(scene, plan_of(scene)); }
 
 TEST(SceneWarnings, OfASoundSceneAreNone) { EXPECT_THAT(warnings_of(sound_scene()), IsEmpty()); }
+
+TEST(SceneWarnings, OfIntervalsOfHardlyMoreThanAStep) {
+  Scene scene = sound_scene();
+  const double time_step = plan_of(scene).time_step;
+  scene.output.ledger_interval = 8.3 * time_step;  // nine steps instead
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+  scene.output.ledger_interval = time_step;
+  EXPECT_THAT(warnings_of(scene), IsEmpty()) << "as many steps as without";
+  scene.output.ledger_interval = 1.25 * time_step;
+  scene.end_time = 100.0 * scene.output.ledger_interval;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("there are about 200 steps")));
+}
 
 TEST(SceneWarnings, NameSolidsThinnerThanOneAndAHalfSpacings) {
   Scene scene = sound_scene();

@@ -78,15 +78,6 @@ double front_error(const ValidationRun& run, const ValidationRun* reference, dou
   return 100.0 * curve_difference(way(run), restricted(way(*reference), 0.02, end)).relative_l2;
 }
 
-std::vector<std::string> sensor_intervals(int sensors, double interval) {
-  std::vector<std::string> overrides;
-  overrides.reserve(static_cast<std::size_t>(sensors));
-  for (int k = 0; k < sensors; ++k) {
-    overrides.push_back(fmt::format("pressure_sensor.{}.interval={}", k, interval));
-  }
-  return overrides;
-}
-
 std::vector<std::string> phi(double value) { return {fmt::format("scheme.phi={}", value)}; }
 
 void add(std::vector<ParetoSetting>& settings, const std::string& series, const std::string& step,
@@ -183,8 +174,6 @@ const std::vector<ParetoCase>& pareto_cases() {
       {.name = "buchner",
        .title = "Dam break against a wall",
        .scene = "buchner",
-       // Records every millisecond, as in the scene, would hold the time step down.
-       .overrides = sensor_intervals(5, 0.002),
        .full_spacings = {0.01, 0.008, 0.006},
        .quick_spacings = {0.02, 0.01},
        .full_end = 4.2,

@@ -38,11 +38,10 @@ struct ParetoCase {
   std::string name;
   std::string title;
   std::string scene;
-  std::vector<std::string> overrides = {};  ///< changes of the scene, key=value
-  std::vector<double> full_spacings;        ///< m
-  std::vector<double> quick_spacings;       ///< m
-  double full_end = 0.0;                    ///< s
-  double quick_end = 0.0;                   ///< s
+  std::vector<double> full_spacings;   ///< m
+  std::vector<double> quick_spacings;  ///< m
+  double full_end = 0.0;               ///< s
+  double quick_end = 0.0;              ///< s
   std::vector<ParetoError> errors;
   std::vector<std::string> reference =
       {};               ///< changes of the scene that make the reference run; none: no run

@@ -13,9 +13,8 @@ namespace eisph {
 
 namespace {
 
-std::vector<std::string> overrides_of(const ParetoCase& chosen, const std::vector<std::string>& setting,
-                                      double spacing, double end) {
-  std::vector<std::string> overrides = chosen.overrides;
+std::vector<std::string> overrides_of(const std::vector<std::string>& setting, double spacing, double end) {
+  std::vector<std::string> overrides;
   overrides.push_back(fmt::format("particles.spacing={:.17g}", spacing));
   overrides.push_back(fmt::format("end_time={:.17g}", end));
   overrides.insert(overrides.end(), setting.begin(), setting.end());
@@ -84,7 +83,7 @@ ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& s
   std::optional<ValidationRun> reference;
   if (!chosen.reference.empty()) {
     result.reference_spacing = 0.5 * spacings.back();
-    const auto overrides = overrides_of(chosen, chosen.reference, result.reference_spacing, result.end);
+    const auto overrides = overrides_of(chosen.reference, result.reference_spacing, result.end);
     reference = validator.run(request_of(chosen, "reference", overrides, result.end));
     auto other = overrides;
     other.insert(other.end(), {"scheme.name=delta_sph", "scheme.stepping=runge_kutta"});
@@ -107,8 +106,7 @@ ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& s
       const std::string label = fmt::format("{:03}", entries.size());
       entries.push_back(
           {std::move(point),
-           request_of(chosen, label, overrides_of(chosen, setting.overrides, spacing, result.end),
-                      result.end)});
+           request_of(chosen, label, overrides_of(setting.overrides, spacing, result.end), result.end)});
     }
   }
   for (int repeat = 0; repeat < repeats; ++repeat) {

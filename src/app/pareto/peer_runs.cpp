@@ -89,11 +89,9 @@ void read_particles(const NumberTable& table, Snapshot& snapshot) {
 }
 
 Scene scene_of(const PeerRun& peer, const ParetoCase& chosen) {
-  std::vector<std::string> overrides = chosen.overrides;
-  overrides.push_back(fmt::format("particles.spacing={:.17g}", peer.spacing));
-  overrides.push_back(fmt::format("end_time={:.17g}", peer.states.back().time));
-  overrides.emplace_back("output.times=[]");
-  return load_scene(home_folder() / "scenes" / (chosen.scene + ".toml"), overrides);
+  return load_scene(home_folder() / "scenes" / (chosen.scene + ".toml"),
+                    {fmt::format("particles.spacing={:.17g}", peer.spacing),
+                     fmt::format("end_time={:.17g}", peer.states.back().time), "output.times=[]"});
 }
 
 /// Finds out now what would fail after hours of runs.
