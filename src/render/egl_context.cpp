@@ -1,6 +1,7 @@
 #include "render/egl_context.hpp"
 
 #include "core/error.hpp"
+#include "render/dynamic_library.hpp"
 #include "render/renderer_threads.hpp"
 
 #include <array>
@@ -13,7 +14,6 @@
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 namespace eisph {
@@ -37,7 +37,7 @@ bool has_word(const char* list, const char* word) {
 }  // namespace
 
 struct EglContext::Library {
-  void* handle = nullptr;
+  DynamicLibrary file;
   PFNEGLGETPROCADDRESSPROC address_of = nullptr;
   PFNEGLINITIALIZEPROC initialise = nullptr;
   PFNEGLBINDAPIPROC bind_api = nullptr;
@@ -52,36 +52,20 @@ struct EglContext::Library {
   PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
   PFNEGLQUERYDEVICESTRINGEXTPROC device_string = nullptr;
 
-  explicit Library(const std::filesystem::path& path)
-      // Never unmapped, as the drivers that it loads keep destructors that run when the program ends.
-      : handle(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
-    if (handle == nullptr) {
-      throw InputError(fmt::format("{}: EGL cannot be opened ({}); {}", path.string(),
-                                   dlerror(),  // NOLINT(concurrency-mt-unsafe)
-                                   kPackages));
-    }
-    find("eglGetProcAddress", address_of);
-    find("eglInitialize", initialise);
-    find("eglBindAPI", bind_api);
-    find("eglChooseConfig", choose_config);
-    find("eglCreateContext", create_context);
-    find("eglDestroyContext", destroy_context);
-    find("eglMakeCurrent", make_current);
-    find("eglGetCurrentContext", current_context);
-    find("eglQueryString", query_string);
+  explicit Library(const std::filesystem::path& path) : file(path, "EGL", kPackages) {
+    file.find("eglGetProcAddress", address_of);
+    file.find("eglInitialize", initialise);
+    file.find("eglBindAPI", bind_api);
+    file.find("eglChooseConfig", choose_config);
+    file.find("eglCreateContext", create_context);
+    file.find("eglDestroyContext", destroy_context);
+    file.find("eglMakeCurrent", make_current);
+    file.find("eglGetCurrentContext", current_context);
+    file.find("eglQueryString", query_string);
     platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(address_of("eglGetPlatformDisplayEXT"));
     query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(address_of("eglQueryDevicesEXT"));
     device_string = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(address_of("eglQueryDeviceStringEXT"));
-  }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-  ~Library() { dlclose(handle); }
-
-  template <class Function>
-  void find(const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(handle, name));
-    if (function == nullptr) throw InputError(fmt::format("the EGL library has no {}", name));
   }
 
   /// Graphics cards, without what draws in software.

@@ -1,14 +1,11 @@
 #include "render/os_mesa_context.hpp"
 
-#include "core/error.hpp"
+#include "render/dynamic_library.hpp"
 #include "render/renderer_threads.hpp"
 
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
-
-#include <dlfcn.h>
-#include <fmt/format.h>
 
 namespace eisph {
 
@@ -33,7 +30,7 @@ std::mutex& creation_mutex() {
 }  // namespace
 
 struct OsMesaContext::Library {
-  void* handle = nullptr;
+  DynamicLibrary file;
   void* (*create)(const int*, void*) = nullptr;
   void (*destroy)(void*) = nullptr;
   unsigned char (*make_current)(void*, void*, unsigned, int, int) = nullptr;
@@ -41,28 +38,12 @@ struct OsMesaContext::Library {
   void (*(*address_of)(const char*))() = nullptr;
 
   explicit Library(const std::filesystem::path& path)
-      // Never unmapped: LLVM inside keeps destructors that run when the program ends.
-      : handle(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
-    if (handle == nullptr) {
-      throw InputError(
-          fmt::format("{}: the software renderer cannot be opened ({}); install the Debian package "
-                      "libosmesa6",
-                      path.string(), dlerror()));  // NOLINT(concurrency-mt-unsafe)
-    }
-    find("OSMesaCreateContextAttribs", create);
-    find("OSMesaDestroyContext", destroy);
-    find("OSMesaMakeCurrent", make_current);
-    find("OSMesaGetCurrentContext", current);
-    find("OSMesaGetProcAddress", address_of);
-  }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-  ~Library() { dlclose(handle); }
-
-  template <class Function>
-  void find(const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(handle, name));
-    if (function == nullptr) throw std::runtime_error(fmt::format("the software renderer has no {}", name));
+      : file(path, "the software renderer", "install the Debian package libosmesa6") {
+    file.find("OSMesaCreateContextAttribs", create);
+    file.find("OSMesaDestroyContext", destroy);
+    file.find("OSMesaMakeCurrent", make_current);
+    file.find("OSMesaGetCurrentContext", current);
+    file.find("OSMesaGetProcAddress", address_of);
   }
 };
 

@@ -12,7 +12,8 @@ namespace eisph {
 /// symbols of its own that must not mix with those of a window system.
 class OsMesaContext final : public GlContext {
  public:
-  /// Throws InputError when the library cannot be opened, std::runtime_error when it makes no context.
+  /// Throws InputError when the library cannot be opened or is another one, std::runtime_error when it makes
+  /// no context.
   explicit OsMesaContext(const std::filesystem::path& library = "libOSMesa.so.8");
   OsMesaContext(const OsMesaContext&) = delete;
   OsMesaContext& operator=(const OsMesaContext&) = delete;

@@ -31,6 +31,14 @@ TEST(EglContext, AMissingLibraryNamesThePackages) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("libno_such_egl.so.1"), HasSubstr("libegl-mesa0"))));
 }
 
+TEST(DynamicLibrary, AnotherLibraryIsNamedWithWhatItLacks) {
+  EXPECT_THAT(
+      [] { OsMesaContext context("libz.so.1"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("libz.so.1"), HasSubstr("OSMesaCreateContextAttribs"))));
+  EXPECT_THAT([] { EglContext context("libz.so.1"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("libz.so.1"), HasSubstr("eglGetProcAddress"))));
+}
+
 TEST(GlWindow, AMissingDisplayNamesTheOtherContexts) {
   const WithoutDisplay nothing;
   EXPECT_THAT([] { GlWindow window(WindowSettings{}); },
