@@ -15,7 +15,7 @@ uniform float range;         // m of distance that belong to the surface
 
 out vec2 fragment;
 
-const int kMostTaps = 10;  // on each side
+const int kMostTaps = 24;  // on each side
 
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);

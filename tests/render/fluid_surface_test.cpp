@@ -192,6 +192,23 @@ TEST(FluidSurface, ASphereLeavesThePictureBitByBit) {
   }
 }
 
+TEST(FluidSurface, ADropThatIsNearlyOfTheSurfaceIsSmoothFromNearby) {
+  synthetic::State state = pool(4);
+  synthetic::add_particle(state, {0.41, 0.41, 0.145}, Vec3d::Zero(), 0.0);
+  ImageSettings settings = from_above(WaterStyle::Surface);
+  settings.camera->orthographic_height = 0.12;  // 40 pixels to a spacing
+  const Image frame = draw(state, settings);
+  // What a pixel differs from the mean of its neighbours, mean over a square about the drop.
+  double roughness = 0.0;
+  for (int row = 60; row < 160; ++row) {
+    for (int column = 110; column < 210; ++column) {
+      const double mean = 0.5 * (frame.pixel(column - 1, row)[1] + frame.pixel(column + 1, row)[1]);
+      roughness += std::abs(frame.pixel(column, row)[1] - mean) / 10000.0;
+    }
+  }
+  EXPECT_LT(roughness, 0.5);
+}
+
 TEST(FluidSurface, TheCullingOfHiddenParticlesChangesNothing) {
   const synthetic::State state = synthetic::tank(0.02);
   ImageSettings settings;
