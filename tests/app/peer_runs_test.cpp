@@ -122,6 +122,27 @@ TEST_F(PeerRuns, ColumnsOfWaterHaveAProfileAndAFront) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "tables" / "front_front.csv"));
 }
 
+TEST_F(PeerRuns, AreReadInSpace) {
+  Scene scene;
+  scene.particle_spacing = 0.1;
+  scene.domain_max = {1.0, 1.0, 1.0};
+  put_text(folder_ / "state.csv",
+           "x [m],y [m],z [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s],pressure [Pa]\n"
+           "0.25,0.5,0.75,1,2,3,4\n");
+  const Snapshot state = read_peer_state(scene, {0.5, folder_ / "state.csv"});
+  EXPECT_EQ(state.time, 0.5);
+  EXPECT_EQ(state.position.front(), Vec3f(0.25F, 0.5F, 0.75F));
+  EXPECT_EQ(state.velocity.front(), Vec3f(1.0F, 2.0F, 3.0F));
+  EXPECT_EQ(state.pressure.front(), 4.0F);
+  // A particle alone: the middle of its own cube, (2/3)^3.
+  EXPECT_NEAR(state.number_density.front(), 8.0 / 27.0, 1e-5);
+  put_text(folder_ / "state.csv", "x [m],depth [m]\n0.05,0.1\n");
+  EXPECT_THAT(error_of<InputError>([&] {
+                static_cast<void>(read_peer_state(scene, {0.5, folder_ / "state.csv"}));
+              }),
+              HasSubstr("two dimensions"));
+}
+
 TEST_F(PeerRuns, ThatCannotBeUsedAreRefusedBeforeAnythingRuns) {
   const ParetoCase small = small_case();
   EXPECT_THAT(complaint(small), AllOf(HasSubstr("--peers"), HasSubstr("peer.toml")));

@@ -40,6 +40,10 @@ const std::vector<double>& complete_column(const NumberTable& table, const std::
 }
 
 std::shared_ptr<const ColumnField> columns_of(const Scene& scene, const NumberTable& table) {
+  if (scene.dimension == 3) {
+    throw InputError(fmt::format("{}: depth: columns of water are for two dimensions; expected particles",
+                                 table.path.string()));
+  }
   const std::vector<double>& x = complete_column(table, "x");
   const std::vector<double>& depth = complete_column(table, "depth");
   auto field = std::make_shared<ColumnField>();
@@ -73,7 +77,11 @@ std::shared_ptr<const ColumnField> columns_of(const Scene& scene, const NumberTa
 void read_particles(const NumberTable& table, Snapshot& snapshot) {
   const std::vector<double>& x = complete_column(table, "x");
   const std::vector<double>& z = complete_column(table, "z");
+  const bool in_space = snapshot.dimension == 3;
+  const std::vector<double> zeros(in_space ? 0 : x.size());
+  const std::vector<double>& y = in_space ? complete_column(table, "y") : zeros;
   const std::vector<double>& velocity_x = complete_column(table, "velocity_x");
+  const std::vector<double>& velocity_y = in_space ? complete_column(table, "velocity_y") : zeros;
   const std::vector<double>& velocity_z = complete_column(table, "velocity_z");
   const std::vector<double>& pressure = complete_column(table, "pressure");
   snapshot.id.reserve(x.size());
@@ -82,8 +90,8 @@ void read_particles(const NumberTable& table, Snapshot& snapshot) {
   snapshot.pressure.reserve(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
     snapshot.id.push_back(static_cast<std::uint32_t>(k));
-    snapshot.position.emplace_back(to_float(x[k]), 0.0F, to_float(z[k]));
-    snapshot.velocity.emplace_back(to_float(velocity_x[k]), 0.0F, to_float(velocity_z[k]));
+    snapshot.position.emplace_back(to_float(x[k]), to_float(y[k]), to_float(z[k]));
+    snapshot.velocity.emplace_back(to_float(velocity_x[k]), to_float(velocity_y[k]), to_float(velocity_z[k]));
     snapshot.pressure.push_back(to_float(pressure[k]));
   }
 }

@@ -16,9 +16,10 @@ namespace eisph {
                                                   const std::vector<const ParetoCase*>& cases, bool full);
 
 /// A state of another program as if a scheme had published it. The table has the columns x, z, velocity_x,
-/// velocity_z and pressure, a row per particle; or x and depth, a row per cell of equal width from the
-/// upstream end of the tank, those that are missing being dry. Only in two dimensions. Number densities are
-/// the water fractions at the particles. Throws InputError naming file and column.
+/// velocity_z and pressure, in three dimensions y and velocity_y too, a row per particle; or, in two
+/// dimensions, x and depth, a row per cell of equal width from the upstream end of the tank, those that are
+/// missing being dry. Number densities are the water fractions at the particles. Throws InputError naming
+/// file and column.
 [[nodiscard]] Snapshot read_peer_state(const Scene& scene, const PeerState& state);
 
 /// Looks at the states with the probes of the case, writes their tables to `folder`, and measures the errors
