@@ -4,6 +4,7 @@
 #include "render/shader_program.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace eisph {
 
@@ -15,8 +16,11 @@ class PointMargin {
   /// The target is bound and has `width` x `height` samples; `program` is in use.
   PointMargin(const GlFunctions& gl, const ShaderProgram& program, int width, int height)
       : gl_(gl), width_(width), height_(height) {
-    // Points larger than this are of particles just before the eye.
-    const int margin = std::max(width, height) / 2;
+    std::array<GLint, 2> largest{};
+    gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, largest.data());
+    // Points larger than the target are of particles just before the eye.
+    const int room = std::min(largest[0] - width, largest[1] - height) / 2;
+    const int margin = std::clamp(std::max(width, height) / 2, 0, std::max(room, 0));
     gl_.Viewport(-margin, -margin, width + 2 * margin, height + 2 * margin);
     program.set("margin", static_cast<float>(width) / static_cast<float>(width + 2 * margin),
                 static_cast<float>(height) / static_cast<float>(height + 2 * margin));

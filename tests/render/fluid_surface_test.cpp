@@ -192,6 +192,28 @@ TEST(FluidSurface, ASphereLeavesThePictureBitByBit) {
   }
 }
 
+TEST(FluidSurface, AVeryWideFrameHasTheSameScale) {
+  const synthetic::State state = pool(4);
+  for (const auto style : {WaterStyle::Spheres, WaterStyle::Surface}) {
+    int narrow = 0;
+    for (const int width : {460, 4600}) {
+      ImageSettings settings = from_above(style);
+      settings.width = width;
+      settings.height = 200;
+      const Image frame = draw(state, settings);
+      int wet = 0;  // bluer than red, unlike floor, page and text; above the colour bar
+      for (int row = 40; row < 140; ++row) {
+        for (int column = 0; column < width; ++column) {
+          if (frame.pixel(column, row)[2] > frame.pixel(column, row)[0] + 20) ++wet;
+        }
+      }
+      if (width == 460) narrow = wet;
+      EXPECT_GT(wet, 5000);
+      EXPECT_NEAR(wet, narrow, 0.01 * narrow) << width;
+    }
+  }
+}
+
 TEST(FluidSurface, ADropThatIsNearlyOfTheSurfaceIsSmoothFromNearby) {
   synthetic::State state = pool(4);
   synthetic::add_particle(state, {0.41, 0.41, 0.145}, Vec3d::Zero(), 0.0);
