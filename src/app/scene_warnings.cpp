@@ -21,6 +21,8 @@ constexpr double kLargestPhiAtRest = 0.26;
 constexpr double kLargestPhiWithObjects = 0.17;
 /// Times as many steps as without outputs that are worth a word.
 constexpr double kManySteps = 1.3;
+/// Of an implicit pressure, where the water strikes.
+constexpr double kLargestPhiOfBlows = 0.17;
 /// Largest relative difference between the volume of the particles and that of the regions.
 constexpr double kVolumeTolerance = 0.01;
 
@@ -85,15 +87,18 @@ void warn_of_negative_pressure(std::vector<std::string>& warnings, const Scene& 
       "run may blow up");
 }
 
-/// A blow in one step is what an implicit pressure makes of it: single particles at the rim of a jet that
-/// strikes were thrown away at any time step.
-void warn_of_implicit_blows(std::vector<std::string>& warnings, const Scene& scene) {
+/// A blow in one step is what an implicit pressure makes of it: at longer time steps single particles at the
+/// rim of a drop that strikes were thrown away.
+void warn_of_implicit_blows(std::vector<std::string>& warnings, const Scene& scene,
+                            const SimulationPlan& plan) {
   const double reference = scene.reference_speed();
-  if (scene.scheme.name != "isph" || reference <= 0.0 || scene.initial_speed() <= reference) return;
+  const double phi = plan.time_step * scene.expected_speed() / scene.particle_spacing;
+  if (scene.scheme.name != "isph" || phi <= kLargestPhiOfBlows * (1.0 + 1e-6)) return;
+  if (reference <= 0.0 || scene.initial_speed() <= reference) return;
   warnings.push_back(
       fmt::format("the water starts at {:.3g} m/s, faster than it falls ({:.3g} m/s): with scheme.name = "
-                  "\"isph\" the run may blow up where it strikes, at smaller time steps too",
-                  scene.initial_speed(), reference));
+                  "\"isph\" and phi = {:.3g}, above {:g}, the run may blow up where it strikes",
+                  scene.initial_speed(), reference, phi, kLargestPhiOfBlows));
 }
 
 void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
@@ -203,7 +208,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
     warn_of_time_step(warnings, scene, plan);
   }
   warn_of_negative_pressure(warnings, scene);
-  warn_of_implicit_blows(warnings, scene);
+  warn_of_implicit_blows(warnings, scene, plan);
   warn_of_short_intervals(warnings, scene, plan);
 
   const double filled =

@@ -94,8 +94,7 @@ typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t r
 /// Free surface, or too few neighbours for a pressure. Solids have no free surface.
 template <int Dim>
 bool PressureEquation<Dim>::is_pressureless(const Sums& sums, bool object) const {
-  const double lattice_coefficient = particles_.lattice.laplacian / (2.0 * particles_.alpha);
-  return sums.coefficient < kCoefficientThreshold * lattice_coefficient ||
+  return sums.coefficient < kCoefficientThreshold * lattice_coefficient() ||
          (!object && sums.number_density < particles_.scene.scheme.free_surface_threshold);
 }
 
@@ -119,8 +118,9 @@ void PressureEquation<Dim>::relax(double time_step) {
   p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
-      const Sums row = sums<true>(p.fluid_row(i));
+      Sums row = sums<true>(p.fluid_row(i));
       const bool free = is_pressureless(row, false);
+      row.coefficient = std::max(row.coefficient, least_coefficient_);
       p.carried[i] = free ? 0.0F : static_cast<float>(relaxed(row, time_step));
       p.number_density[i] = static_cast<float>(row.number_density);
       coefficient_[i] = free ? 0.0F : static_cast<float>(row.coefficient);

@@ -21,6 +21,11 @@ class PressureEquation {
   PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source)
       : particles_(particles), keeps_source_(keeps_source) {}
   void keep_source(bool keeps) { keeps_source_ = keeps; }
+  /// Coefficients of the fluid add up to this part of the lattice's at least: neighbours that are missing
+  /// count as water at zero pressure, beyond the free surface (after Nair & Tomar 2014, Computers & Fluids
+  /// 102). Without that, a few particles among which none is on the surface have next to nothing that bounds
+  /// their pressure.
+  void count_missing_neighbours(double part) { least_coefficient_ = part * lattice_coefficient(); }
 
   /// The source vectors s = omega u^n + dt a of the fluid with a = g + viscosity + repulsion.
   void set_source(double time_step);
@@ -61,6 +66,10 @@ class PressureEquation {
   [[nodiscard]] double coefficient_pressure_sum(std::uint32_t row) const;
   [[nodiscard]] bool is_pressureless(const Sums& sums, bool object) const;
   [[nodiscard]] double relaxed(const Sums& sums, double time_step) const;
+  /// Sums::coefficient of the undisturbed lattice.
+  [[nodiscard]] double lattice_coefficient() const {
+    return particles_.lattice.laplacian / (2.0 * particles_.alpha);
+  }
   /// Factor of B_i in the units of Sums::coefficient, Pa s.
   [[nodiscard]] double source_factor() const {
     return particles_.scene.density * particles_.h * particles_.h / (2.0 * particles_.alpha);
@@ -87,6 +96,7 @@ class PressureEquation {
 
   ParticleSystem<Dim>& particles_;
   bool keeps_source_;
+  double least_coefficient_ = 0.0;
   AlignedBuffer<float> coefficient_;      ///< Sums::coefficient of the fluid, zero where there is no pressure
   AlignedBuffer<float> source_term_;      ///< right side of the unknowns, Pa
   AlignedBuffer<float> object_pressure_;  ///< of the solids, in table order, Pa
