@@ -143,6 +143,18 @@ TEST_F(PeerRuns, AreReadInSpace) {
               HasSubstr("two dimensions"));
 }
 
+TEST_F(PeerRuns, WithTooFewStatesForAnErrorAreNamed) {
+  ParetoCase column = known_case("martin_moyce");
+  column.errors.resize(1);  // without the one that takes a reference run
+  put_peer(peer_toml("martin_moyce", 0.0047625, column.quick_end),
+           "x [m],z [m],velocity_x [m/s],velocity_z [m/s],pressure [Pa]\n0.1,0.002,0,0,0\n");
+  const auto peers = find_peer_runs(folder_ / "peers", {&column}, false);
+  EXPECT_THAT(error_of<InputError>([&] {
+                static_cast<void>(measure_peer(peers.front(), column, nullptr, folder_ / "tables"));
+              }),
+              AllOf(HasSubstr("peer.toml"), HasSubstr("\"front\"")));
+}
+
 TEST_F(PeerRuns, ThatCannotBeUsedAreRefusedBeforeAnythingRuns) {
   const ParetoCase small = small_case();
   EXPECT_THAT(complaint(small), AllOf(HasSubstr("--peers"), HasSubstr("peer.toml")));

@@ -53,6 +53,17 @@ void add_run(ParetoPoint& point, const ParetoCase& chosen, const RunRequest& req
   }
 }
 
+std::vector<ParetoPoint> measure_peers(const std::vector<PeerRun>& peers, const ParetoCase& chosen,
+                                       const ValidationRun* reference, const Validator& validator) {
+  std::vector<ParetoPoint> points;
+  for (const PeerRun& peer : peers) {
+    if (peer.flow != chosen.name) continue;
+    const std::string label = fmt::format("peer_{:03}", points.size());
+    points.push_back(measure_peer(peer, chosen, reference, validator.run_folder(label)));
+  }
+  return points;
+}
+
 }  // namespace
 
 double ParetoPoint::cpu_time() const {
@@ -92,6 +103,9 @@ ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& s
       result.reference_spread.push_back(error.evaluate(check, &*reference));
     }
   }
+  // Before anything that takes long, as they may lack what an error is measured by.
+  const std::vector<ParetoPoint> peer_points =
+      measure_peers(peers, chosen, reference ? &*reference : nullptr, validator);
   struct Entry {
     ParetoPoint point;
     RunRequest request;
@@ -118,12 +132,7 @@ ParetoResult study(const ParetoCase& chosen, const std::vector<ParetoSetting>& s
   }
   if (repeats % 2 == 0) std::reverse(entries.begin(), entries.end());
   for (Entry& entry : entries) result.points.push_back(std::move(entry.point));
-  for (const PeerRun& peer : peers) {
-    if (peer.flow != chosen.name) continue;
-    const std::string label = fmt::format("peer_{:03}", result.points.size() - entries.size());
-    result.points.push_back(
-        measure_peer(peer, chosen, reference ? &*reference : nullptr, validator.run_folder(label)));
-  }
+  result.points.insert(result.points.end(), peer_points.begin(), peer_points.end());
   return result;
 }
 

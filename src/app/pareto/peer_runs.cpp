@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -202,7 +203,20 @@ ParetoPoint measure_peer(const PeerRun& peer, const ParetoCase& chosen, const Va
   point.state_memory = kUnknown;
   point.compression = kUnknown;
   point.energy_gain = kUnknown;
-  for (const ParetoError& error : chosen.errors) point.errors.push_back(error.evaluate(run, reference));
+  for (const ParetoError& error : chosen.errors) {
+    std::string reason = "not enough states";
+    double off = kUnknown;
+    try {
+      off = error.evaluate(run, reference);
+    } catch (const std::exception& failure) {
+      reason = failure.what();
+    }
+    if (!std::isfinite(off)) {
+      throw InputError(fmt::format("{}: the states do not give the error \"{}\" ({}): {}",
+                                   peer.source_file.string(), error.name, error.meaning, reason));
+    }
+    point.errors.push_back(off);
+  }
   return point;
 }
 
