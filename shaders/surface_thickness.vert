@@ -7,7 +7,7 @@ layout(location = 1) in float volume;  // over that of a cube of the spacing
 
 uniform mat4 view;
 uniform mat4 projection;
-uniform vec2 margin;          // part of the drawn area that the target takes
+uniform vec2 margin;         // part of the drawn area that the target takes
 uniform float spacing;       // m
 uniform float focal_length;  // of the thickness target, samples per metre at unit clip w
 

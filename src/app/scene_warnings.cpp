@@ -68,6 +68,11 @@ double largest_courant(Stepping stepping) {
   return 0.3;
 }
 
+/// dt Umax / dx at t = 0.
+double phi_at_start(const Scene& scene, const SimulationPlan& plan) {
+  return plan.time_step * scene.expected_speed() / scene.particle_spacing;
+}
+
 void warn_of_courant(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
   const double speeds = scene.scheme.sound_speed + scene.expected_speed();
   const double courant = plan.time_step * speeds / scene.smoothing_length();
@@ -92,7 +97,7 @@ void warn_of_negative_pressure(std::vector<std::string>& warnings, const Scene& 
 void warn_of_implicit_blows(std::vector<std::string>& warnings, const Scene& scene,
                             const SimulationPlan& plan) {
   const double reference = scene.reference_speed();
-  const double phi = plan.time_step * scene.expected_speed() / scene.particle_spacing;
+  const double phi = phi_at_start(scene, plan);
   if (scene.scheme.name != "isph" || phi <= kLargestPhiOfBlows * (1.0 + 1e-6)) return;
   if (reference <= 0.0 || scene.initial_speed() <= reference) return;
   warnings.push_back(
@@ -103,7 +108,7 @@ void warn_of_implicit_blows(std::vector<std::string>& warnings, const Scene& sce
 
 void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
   const bool adaptive = scene.scheme.time_step_mode == TimeStepMode::Adaptive;
-  const double at_rest = plan.time_step * scene.expected_speed() / scene.particle_spacing;
+  const double at_rest = phi_at_start(scene, plan);
   const double phi = adaptive ? std::min(at_rest, scene.scheme.phi) : at_rest;
   const double slack = 1.0 + 1e-6;
   const bool objects = plan.object_particles > 0;

@@ -26,7 +26,7 @@ namespace {
 /// The scene of a cell, for one of the variants of its case.
 Scene scene_of(const StabilityCase& row, const StabilityScheme& scheme, const AtlasCell& cell,
                const std::vector<std::string>& variant) {
-  const auto file = home_folder() / "scenes" / (row.scene + ".toml");
+  const auto file = shipped_scene(row.scene);
   std::vector<std::string> overrides = row.overrides;
   overrides.insert(overrides.end(), variant.begin(), variant.end());
   if (cell.spacing_factor != 1.0) {

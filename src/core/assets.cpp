@@ -10,4 +10,8 @@ std::filesystem::path home_folder() {
                                           : std::filesystem::path(EISPH_SOURCE_DIR);
 }
 
+std::filesystem::path shipped_scene(const std::string& name) {
+  return home_folder() / "scenes" / (name + ".toml");
+}
+
 }  // namespace eisph

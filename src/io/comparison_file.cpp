@@ -16,22 +16,14 @@ constexpr std::size_t kCorners = 4;               ///< that the outline of the f
 constexpr std::size_t kFewestPoints = 4;          ///< of a projective transform
 constexpr std::size_t kFewestWithDistortion = 5;  ///< with one coefficient more
 
-/// Makes a path of the file one that can be opened from here; it must exist.
-void resolve(std::filesystem::path& path, const std::string& key, const TomlSource& source) {
-  if (path.is_relative()) path = (std::filesystem::path(source.file()).parent_path() / path);
-  path = path.lexically_normal();
-  if (!std::filesystem::is_regular_file(path))
-    source.fail(key, fmt::format("there is no file {}", path.string()));
-}
-
 void resolve_paths(Comparison& comparison, const TomlSource& source) {
   for (std::size_t k = 0; k < comparison.photographs.size(); ++k)
-    resolve(comparison.photographs[k].file, fmt::format("photograph.{}.file", k), source);
+    source.resolve_file(comparison.photographs[k].file, fmt::format("photograph.{}.file", k));
   std::vector<CalibrationPhotograph>& still = comparison.calibration.photographs;
   for (std::size_t k = 0; k < still.size(); ++k)
-    resolve(still[k].file, fmt::format("calibration.photograph.{}.file", k), source);
+    source.resolve_file(still[k].file, fmt::format("calibration.photograph.{}.file", k));
   if (!comparison.registration.outline.empty())
-    resolve(comparison.registration.outline, "registration.outline", source);
+    source.resolve_file(comparison.registration.outline, "registration.outline");
   for (std::filesystem::path* run : {&comparison.run, &comparison.other_run}) {
     if (run->empty() || run->is_absolute()) continue;
     *run = (std::filesystem::path(source.file()).parent_path() / *run).lexically_normal();

@@ -9,22 +9,6 @@ namespace {
 
 constexpr double kGreyLevels = 255.0;
 
-template <class Owner>
-Key<Owner>& add_path_key(KeyTable<Owner>& keys, const std::string& name, std::filesystem::path Owner::*field,
-                         const std::string& meaning) {
-  return keys.add(
-      {.name = name, .type = "a path, from the folder of this file", .meaning = meaning},
-      [=](const toml::node& node, int, Owner& owner) {
-        std::string text;
-        if (!read_text(node, text) || text.empty()) return false;
-        owner.*field = text;
-        return true;
-      },
-      [=](const Owner& owner, int) {
-        return (owner.*field).empty() ? std::string() : write_text((owner.*field).string());
-      });
-}
-
 bool read_pair(const toml::node& node, PlanePoint& point) {
   std::vector<double> values;
   if (!read_numbers(node, values) || values.size() != 2) return false;
@@ -45,7 +29,7 @@ Key<Owner>& add_pair_key(KeyTable<Owner>& keys, const std::string& name, const s
 
 KeyTable<TimedPhotograph> photograph_keys() {
   KeyTable<TimedPhotograph> keys;
-  add_path_key(keys, "file", &TimedPhotograph::file, "PNG, grey or colour, 8 or 16 bit.").required();
+  keys.path("file", &TimedPhotograph::file, "PNG, grey or colour, 8 or 16 bit.").required();
   keys.number("time", "s", &TimedPhotograph::time, at_least(0.0), "When it was taken, from the release.")
       .required();
   return keys;
@@ -64,8 +48,8 @@ KeyTable<ReferencePointSettings> reference_point_keys() {
 
 KeyTable<RegistrationSettings> registration_keys() {
   KeyTable<RegistrationSettings> keys;
-  add_path_key(keys, "outline", &RegistrationSettings::outline,
-               "Photograph of the empty tank in which the corners of the floor are found.")
+  keys.path("outline", &RegistrationSettings::outline,
+            "Photograph of the empty tank in which the corners of the floor are found.")
       .fallback("none: points are given");
   keys.list("point", &RegistrationSettings::points, reference_point_keys(),
             "A point of the floor that is seen in all photographs: a corner of the tank or of an obstacle.");
@@ -82,7 +66,7 @@ KeyTable<RegistrationSettings> registration_keys() {
 
 KeyTable<CalibrationPhotograph> calibration_photograph_keys() {
   KeyTable<CalibrationPhotograph> keys;
-  add_path_key(keys, "file", &CalibrationPhotograph::file, "Photograph of still water.").required();
+  keys.path("file", &CalibrationPhotograph::file, "Photograph of still water.").required();
   keys.number("depth", "m", &CalibrationPhotograph::depth, at_least(0.0), "Its depth.").required();
   return keys;
 }
@@ -259,10 +243,10 @@ KeyTable<Comparison> comparison_keys() {
   keys.string("experiment", &Comparison::experiment, "What the photographs show, in captions.");
   keys.boolean("synthetic", &Comparison::synthetic,
                "The photographs are computed; the report and all pictures say so.");
-  add_path_key(keys, "run", &Comparison::run, "Folder of the run to compare with.")
+  keys.path("run", &Comparison::run, "Folder of the run to compare with.")
       .fallback("the one named on the command line");
-  add_path_key(keys, "other_run", &Comparison::other_run,
-               "Folder of a second run, whose lower half is drawn below the upper half of the first.")
+  keys.path("other_run", &Comparison::other_run,
+            "Folder of a second run, whose lower half is drawn below the upper half of the first.")
       .fallback("none");
   add_area_key(keys);
   add_weights_key(keys);

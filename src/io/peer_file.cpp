@@ -13,16 +13,7 @@ namespace {
 KeyTable<PeerState> state_keys() {
   KeyTable<PeerState> keys;
   keys.number("time", "s", &PeerState::time, at_least(0.0), "From the release.").required();
-  keys.add(
-          {.name = "file", .type = "a path, from the folder of this file", .meaning = "Table of the state."},
-          [](const toml::node& node, int, PeerState& state) {
-            std::string text;
-            if (!read_text(node, text) || text.empty()) return false;
-            state.file = text;
-            return true;
-          },
-          [](const PeerState&, int) { return std::string(); })
-      .required();
+  keys.path("file", &PeerState::file, "Table of the state.").required();
   return keys;
 }
 
@@ -56,9 +47,7 @@ PeerRun load_peer_run(const std::filesystem::path& file) {
           fmt::format("state.{}.time", k),
           fmt::format("expected more than {} s, the time of the state before", run.states[k - 1].time));
     }
-    state.file = (file.parent_path() / state.file).lexically_normal();
-    if (!std::filesystem::is_regular_file(state.file))
-      source.fail(fmt::format("state.{}.file", k), fmt::format("there is no file {}", state.file.string()));
+    source.resolve_file(state.file, fmt::format("state.{}.file", k));
   }
   return run;
 }

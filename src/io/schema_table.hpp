@@ -5,6 +5,7 @@
 #include "io/toml_source.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -102,6 +103,23 @@ class KeyTable {
         {.name = name, .type = "a name of letters, digits, _ and -", .meaning = meaning},
         [=](const toml::node& node, int, Owner& owner) { return read_name(node, std::invoke(field, owner)); },
         [=](const Owner& owner, int) { return write_text(std::invoke(field, owner)); });
+  }
+
+  /// A file or folder; where it stands, TomlSource::resolve_file() tells.
+  template <class Field>
+  Key<Owner>& path(const std::string& name, Field field, const std::string& meaning) {
+    return add(
+        {.name = name, .type = "a path, from the folder of this file", .meaning = meaning},
+        [=](const toml::node& node, int, Owner& owner) {
+          std::string text;
+          if (!read_text(node, text) || text.empty()) return false;
+          std::invoke(field, owner) = text;
+          return true;
+        },
+        [=](const Owner& owner, int) {
+          const std::filesystem::path& path = std::invoke(field, owner);
+          return path.empty() ? std::string() : write_text(path.string());
+        });
   }
 
   template <class Field>

@@ -146,6 +146,12 @@ std::size_t TomlSource::list_size(const std::string& name) const {
   return list == nullptr ? 0 : list->size();
 }
 
+void TomlSource::resolve_file(std::filesystem::path& file, const std::string& path) const {
+  if (file.is_relative()) file = std::filesystem::path(file_).parent_path() / file;
+  file = file.lexically_normal();
+  if (!std::filesystem::is_regular_file(file)) fail(path, fmt::format("there is no file {}", file.string()));
+}
+
 void TomlSource::fail(const std::string& path, const std::string& problem) const {
   const auto found = entries_.find(path);
   fail(path, found == entries_.end() ? std::string() : found->second.value, problem);

@@ -37,6 +37,10 @@ class TomlSource {
   /// Number of entries of the list `name` ([[name]]).
   [[nodiscard]] std::size_t list_size(const std::string& name) const;
 
+  /// Makes `file`, which stands at `path`, one that can be opened from here: names count from the folder of
+  /// this file. Throws InputError unless it is there.
+  void resolve_file(std::filesystem::path& file, const std::string& path) const;
+
   /// Throws InputError: place, key, the value that stands there, problem.
   [[noreturn]] void fail(const std::string& path, const std::string& problem) const;
   /// The same for a value that need not stand in the file.

@@ -1,5 +1,6 @@
 #include "app/pareto/peer_runs.hpp"
 
+#include "app/case_choice.hpp"
 #include "compare/ritter.hpp"
 #include "core/error.hpp"
 #include "io/temporary_folder.hpp"
@@ -22,10 +23,7 @@ using testing::HasSubstr;
 constexpr double kEnd = 0.02;
 
 const ParetoCase& known_case(const std::string& name) {
-  for (const ParetoCase& known : pareto_cases()) {
-    if (known.name == name) return known;
-  }
-  throw std::logic_error(name);
+  return *choose_cases("test", pareto_cases(), {name}).front();
 }
 
 /// Water at rest for 20 ms at the coarsest spacing: its pressure, and its leading edge in m.

@@ -21,6 +21,7 @@ from peer import FLOWS, state_name, state_times, write_peer
 
 BASHRC = "/usr/share/openfoam/etc/bashrc"
 
+
 def header(kind, name):
     return f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
 

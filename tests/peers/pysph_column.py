@@ -5,8 +5,8 @@
 
 The folder then holds what `eisph pareto --peers` reads. Schemes, kernels, constants and time steps are those of
 PySPH's own two-dimensional dam break, at the scale of the flow: sound at ten times sqrt(2 g H), h = 1.3 dx, a time
-step of 0.125 h / c, four layers of wall particles without friction. One thread. The CPU time is that of the time loop: without output, and without what is
-compiled before.
+step of 0.125 h / c, four layers of wall particles without friction. One thread. The CPU time is that of the time
+loop: without output, and without what is compiled before.
 """
 
 import argparse

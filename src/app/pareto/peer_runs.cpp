@@ -98,7 +98,7 @@ void read_particles(const NumberTable& table, Snapshot& snapshot) {
 }
 
 Scene scene_of(const PeerRun& peer, const ParetoCase& chosen) {
-  return load_scene(home_folder() / "scenes" / (chosen.scene + ".toml"),
+  return load_scene(shipped_scene(chosen.scene),
                     {fmt::format("particles.spacing={:.17g}", peer.spacing),
                      fmt::format("end_time={:.17g}", peer.states.back().time), "output.times=[]"});
 }
@@ -164,15 +164,11 @@ Snapshot read_peer_state(const Scene& scene, const PeerState& state) {
     return snapshot;
   }
   read_particles(table, snapshot);
+  const FluidField field(scene, snapshot);
   snapshot.number_density.reserve(snapshot.size());
-  std::vector<float> fractions;
-  fractions.reserve(snapshot.size());
-  {
-    const FluidField field(scene, snapshot);
-    for (const Vec3f& place : snapshot.position)
-      fractions.push_back(to_float(field.water_fraction(place.cast<double>())));
+  for (const Vec3f& place : snapshot.position) {
+    snapshot.number_density.push_back(to_float(field.water_fraction(place.cast<double>())));
   }
-  snapshot.number_density = std::move(fractions);
   return snapshot;
 }
 
@@ -185,9 +181,8 @@ ParetoPoint measure_peer(const PeerRun& peer, const ParetoCase& chosen, const Va
   CsvFolder tables(folder);
   ProbeSet probes(run.scene, tables);
   for (const PeerState& state : peer.states) {
-    const auto snapshot = std::make_shared<const Snapshot>(read_peer_state(run.scene, state));
-    probes.record(*snapshot);
-    if (&state == &peer.states.back()) run.states.push_back(snapshot);
+    run.states = {std::make_shared<const Snapshot>(read_peer_state(run.scene, state))};
+    probes.record(*run.states.back());
   }
   const Snapshot& last = *run.states.back();
   ParetoPoint point;

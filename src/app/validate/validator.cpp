@@ -80,7 +80,7 @@ ValidationRun Validator::run(const RunRequest& request) {
   std::vector<std::string> overrides = request.overrides;
   overrides.push_back("name=" + label);
   overrides.emplace_back("output.times=[]");  // those of the scene may lie beyond the end of this run
-  run.scene = load_scene(home_folder() / "scenes" / (request.scene + ".toml"), overrides);
+  run.scene = load_scene(shipped_scene(request.scene), overrides);
   set_outputs(run.scene, request);
   check_run_folder(run.files, run.scene.name);
 
