@@ -67,7 +67,7 @@ class MirrorPlanes {
 
  private:
   static constexpr int kOrders = 5;      ///< none, two of the first order, two of the second
-  static constexpr float kReach = 2.0F;  ///< support radius in smoothing lengths
+  static constexpr float kReach = kKernelSupport;  ///< support radius in smoothing lengths
   static constexpr int kKeys = Dim == 2 ? kOrders * kOrders : kOrders * kOrders * kOrders;
 
   struct AxisImage {

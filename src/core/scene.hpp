@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/instruments.hpp"
+#include "core/kernel.hpp"
 #include "core/schedule.hpp"
 #include "core/shape.hpp"
 
@@ -263,7 +264,7 @@ struct Scene {
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m
   double smoothing_ratio = 1.32;  ///< h / dx
-  std::string kernel = "cubic_spline";
+  KernelKind kernel = KernelKind::CubicSpline;
 
   double density = 1000.0;             ///< kg/m^3
   double kinematic_viscosity = 0.0;    ///< m^2/s
@@ -295,7 +296,7 @@ struct Scene {
   std::vector<ImageSettings> images;
 
   [[nodiscard]] double smoothing_length() const { return smoothing_ratio * particle_spacing; }
-  [[nodiscard]] double support_radius() const { return 2.0 * smoothing_length(); }
+  [[nodiscard]] double support_radius() const { return kKernelSupport * smoothing_length(); }
   /// sqrt(2 g H): the speed expected of the wave, m/s.
   [[nodiscard]] double reference_speed() const;
   /// Of the fastest water at t = 0, m/s.

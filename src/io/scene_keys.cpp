@@ -18,7 +18,11 @@ KeyTable<Scene> particle_keys() {
       .required();
   keys.number("smoothing_ratio", "", &Scene::smoothing_ratio, between(1.0, 2.0),
               "Smoothing length over particle spacing, h / dx; the kernel reaches 2 h.");
-  keys.choice<std::string>("kernel", &Scene::kernel, {{"cubic_spline", "cubic_spline"}}, "Smoothing kernel.");
+  keys.choice<KernelKind>("kernel", &Scene::kernel,
+                          {{"wendland_c2", KernelKind::WendlandC2},
+                           {"wendland_c4", KernelKind::WendlandC4},
+                           {"cubic_spline", KernelKind::CubicSpline}},
+                          "Smoothing kernel. Particles pair with the cubic spline from h = 1.2 dx on.");
   keys.number("jitter", "dx", &Scene::jitter, between(0.0, 0.5),
               "Largest random displacement of a particle at the start, per component.");
   keys.integer("jitter_seed", "", &Scene::jitter_seed, between(0.0, 4294967295.0),

@@ -27,15 +27,18 @@ inline Vector<Dim, Pack> splat_row(const Float4& row) {
 }
 
 /// Calls body(j, pair, w) for every pack of eight neighbours `near` of table row `row`: their indices, the
-/// geometry of the pairs and the w of their positions.
+/// geometry of the pairs (a PairGeometry with the kernel of the scene) and the w of their positions.
 template <int Dim, class Body>
-inline void for_neighbours(const SourceTable& table, std::uint32_t row, const Neighbours& near,
+inline void for_neighbours(const ParticleSystem<Dim>& particles, std::uint32_t row, const Neighbours& near,
                            const Body& body) {
-  const auto xi = splat_row<Dim>(table.position[row]);
-  for (const std::uint32_t* j = near.begin; j != near.end; j += kPackWidth) {
-    const PackRows positions = gather_rows(table.position.data(), j);
-    body(j, pair_geometry<Dim, Pack>(xi, components<Dim>(positions)), positions.w);
-  }
+  const Float4* const table = particles.table.position.data();
+  const auto xi = splat_row<Dim>(table[row]);
+  with_kernel(particles.scene.kernel, [&](auto kernel) {
+    for (const std::uint32_t* j = near.begin; j != near.end; j += kPackWidth) {
+      const PackRows positions = gather_rows(table, j);
+      body(j, pair_geometry<Dim, Pack, decltype(kernel)>(xi, components<Dim>(positions)), positions.w);
+    }
+  });
 }
 
 /// Factor of ViscousSum, m/s^2 for velocities in m/s.
@@ -50,8 +53,8 @@ inline Vector<Dim, double> viscous_acceleration(const ParticleSystem<Dim>& parti
   const SourceTable& table = particles.table;
   const auto u = splat_row<Dim>(table.velocity[row]);
   ViscousSum<Dim, Pack> sum;
-  for_neighbours<Dim>(table, row, particles.neighbours.of(row),
-                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack&) {
+  for_neighbours<Dim>(particles, row, particles.neighbours.of(row),
+                      [&](const std::uint32_t* j, const auto& pair, const Pack&) {
                         const PackRows velocities = gather_rows(table.velocity.data(), j);
                         sum.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
                       });
@@ -70,8 +73,7 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   const auto u = splat_row<Dim>(table.velocity[row]);
   PressureGradientSum<Dim, Pack> sum;
   ViscousSum<Dim, Pack> viscous;
-  const auto add = [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other,
-                       Pack volume) {
+  const auto add = [&](const std::uint32_t* j, const auto& pair, const Pack& other, Pack volume) {
     sum.add(pair, volume, pressure, other);
     if constexpr (Viscous) {
       const PackRows velocities = gather_rows(table.velocity.data(), j);
@@ -80,14 +82,14 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   };
   double factor = -particles.alpha / (particles.h * particles.scene.density);
   if (near.near_object) {
-    for_neighbours<Dim>(table, row, near,
-                        [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
+    for_neighbours<Dim>(particles, row, near,
+                        [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
                           add(j, pair, other, gather_rows(table.source.data(), j).w);
                         });
   } else {
     // All volumes are equal but those of objects.
-    for_neighbours<Dim>(table, row, near,
-                        [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
+    for_neighbours<Dim>(particles, row, near,
+                        [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
                           add(j, pair, other, splat<Pack>(1.0));
                         });
     factor *= particles.volume;
@@ -107,10 +109,9 @@ inline Vector<Dim, double> concentration_gradient(const ParticleSystem<Dim>& par
                                                   const Neighbours& near) {
   const SourceTable& table = particles.table;
   ConcentrationGradientSum<Dim, Pack> sum;
-  for_neighbours<Dim>(table, row, near,
-                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack&) {
-                        sum.add(pair, gather_rows(table.source.data(), j).w);
-                      });
+  for_neighbours<Dim>(particles, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack&) {
+    sum.add(pair, gather_rows(table.source.data(), j).w);
+  });
   Vector<Dim, double> gradient;
   for (int d = 0; d < Dim; ++d)
     gradient.x[d] = particles.alpha / particles.h * horizontal_sum(sum.value.x[d]);

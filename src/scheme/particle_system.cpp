@@ -2,7 +2,6 @@
 
 #include "core/lattice.hpp"
 #include "scheme/time_step.hpp"
-#include "sph/cubic_spline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +20,12 @@ template <int Dim>
 ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
     : scene(of),
       pool(threads),
-      lattice(lattice_constants<Dim>(scene.smoothing_ratio)),
+      lattice(lattice_constants<Dim>(scene.kernel, scene.smoothing_ratio)),
       planes(scene),
       virtual_particles(scene),
       solids(scene),
       h(scene.smoothing_length()),
-      alpha(cubic_spline::normalisation<Dim>() / std::pow(h, Dim)),
+      alpha(kernel_normalisation<Dim>(scene.kernel) / std::pow(h, Dim)),
       volume(std::pow(scene.particle_spacing, Dim)),
       viscosity(total_viscosity(scene)) {
   std::array<double, Dim> cells{};
@@ -38,7 +37,7 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
   }
   place_particles();
   // Cells up to a little above the water at rest; the few particles that fly higher share the topmost ones.
-  cells[Dim - 1] = std::min(cells[Dim - 1], kGridHeight * highest_particle() / h + cubic_spline::kSupport);
+  cells[Dim - 1] = std::min(cells[Dim - 1], kGridHeight * highest_particle() / h + kKernelSupport);
   grid = CellGrid<Dim>(cells);
 }
 

@@ -26,8 +26,8 @@ double convective_source(const ParticleSystem<Dim>& particles, std::uint32_t row
   const auto u = splat_row<Dim>(table.velocity[row]);
   MomentSum<Dim, Pack> moments;
   std::array<ScalarGradientSum<Dim, Pack>, Dim> sums;
-  for_neighbours<Dim>(table, row, particles.neighbours.of(row),
-                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack&) {
+  for_neighbours<Dim>(particles, row, particles.neighbours.of(row),
+                      [&](const std::uint32_t* j, const auto& pair, const Pack&) {
                         const PackRows velocities = gather_rows(table.velocity.data(), j);
                         const auto others = components<Dim>(velocities);
                         moments.add(pair, velocities.w);
@@ -78,8 +78,8 @@ typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t r
   DensitySum<Pack> density;
   LaplacianSums<Pack> laplacian;
   DivergenceSum<Pack> divergence;
-  for_neighbours<Dim>(table, row, particles_.neighbours.of(row),
-                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& pressure) {
+  for_neighbours<Dim>(particles_, row, particles_.neighbours.of(row),
+                      [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
                         const PackRows sources = gather_rows(table.source.data(), j);
                         if constexpr (WithDensity) density.add(pair, sources.w);
                         laplacian.add(pair, laplacian_weight(pair), sources.w, pressure);
@@ -181,12 +181,11 @@ double PressureEquation<Dim>::coefficient_pressure_sum(std::uint32_t row) const 
   const Neighbours near = particles_.neighbours.of(row);
   const Pack fluid_volume = splat<Pack>(particles_.volume);
   LaplacianSums<Pack> laplacian;
-  for_neighbours<Dim>(table, row, near,
-                      [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& pressure) {
-                        const Pack volume =
-                            near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
-                        laplacian.add(pair, laplacian_weight(pair), volume, pressure);
-                      });
+  for_neighbours<Dim>(
+      particles_, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
+        const Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
+        laplacian.add(pair, laplacian_weight(pair), volume, pressure);
+      });
   return -horizontal_sum(laplacian.pressure);
 }
 

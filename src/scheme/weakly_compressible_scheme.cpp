@@ -281,14 +281,12 @@ void WeaklyCompressibleScheme<Dim>::find_density_gradients() {
       const Pack own = splat<Pack>(table.position[row].w);
       MomentSum<Dim, Pack> moments;
       ScalarGradientSum<Dim, Pack> sum;
-      for_neighbours<Dim>(
-          table, row, near,
-          [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
-            Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
-            volume *= ones_below(j, table.first_image);
-            moments.add(pair, volume);
-            sum.add(pair, volume, other - own);
-          });
+      for_neighbours<Dim>(p, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
+        Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
+        volume *= ones_below(j, table.first_image);
+        moments.add(pair, volume);
+        sum.add(pair, volume, other - own);
+      });
       const GradientCorrection<Dim> correction(moments, p.alpha);
       const auto gradient = correction.gradient(sum);
       Float4 result{0.0F, 0.0F, 0.0F, static_cast<float>(p.volume)};
@@ -338,26 +336,24 @@ void WeaklyCompressibleScheme<Dim>::find_rates() {
       DivergenceSum<Pack> divergence;
       DensitySum<Pack> density;
       DiffusionSum<Pack> diffusion;
-      for_neighbours<Dim>(
-          table, row, near,
-          [&](const std::uint32_t* j, const PairGeometry<Dim, Pack>& pair, const Pack& other) {
-            const PackRows velocities = gather_rows(table.velocity.data(), j);
-            const auto others = components<Dim>(velocities);
-            Pack volume = fluid_volume;
-            if constexpr (D == Diffusion::Renormalised) {
-              const PackRows sources = gather_rows(table.source.data(), j);
-              volume = sources.w;
-              auto gradients = components<Dim>(sources);
-              for (int d = 0; d < Dim; ++d) gradients.x[d] += own_gradient.x[d];
-              diffusion.add(pair, volume * ones_below(j, table.first_image), other - own, gradients);
-            } else {
-              if (near.near_object) volume = gather_rows(table.source.data(), j).w;
-              if constexpr (D == Diffusion::Plain) diffusion.add(pair, volume, other - own);
-            }
-            drag.add(pair, laplacian_weight(pair), velocities.w, u, others);
-            divergence.add(pair, volume, u, others);
-            density.add(pair, volume);
-          });
+      for_neighbours<Dim>(p, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
+        const PackRows velocities = gather_rows(table.velocity.data(), j);
+        const auto others = components<Dim>(velocities);
+        Pack volume = fluid_volume;
+        if constexpr (D == Diffusion::Renormalised) {
+          const PackRows sources = gather_rows(table.source.data(), j);
+          volume = sources.w;
+          auto gradients = components<Dim>(sources);
+          for (int d = 0; d < Dim; ++d) gradients.x[d] += own_gradient.x[d];
+          diffusion.add(pair, volume * ones_below(j, table.first_image), other - own, gradients);
+        } else {
+          if (near.near_object) volume = gather_rows(table.source.data(), j).w;
+          if constexpr (D == Diffusion::Plain) diffusion.add(pair, volume, other - own);
+        }
+        drag.add(pair, laplacian_weight(pair), velocities.w, u, others);
+        divergence.add(pair, volume, u, others);
+        density.add(pair, volume);
+      });
       Components acceleration = p.gravity;
       for (int d = 0; d < Dim; ++d) acceleration[d] += viscous * horizontal_sum(drag.value.x[d]);
       add_repulsion<Dim>(p, table_position(row), near.near_object, push, acceleration);
@@ -408,15 +404,17 @@ float WeaklyCompressibleScheme<Dim>::extrapolated_pressure(std::size_t object) c
   const Neighbours near = p.neighbours.of(row);
   double weight = 0.0;
   double sum = 0.0;
-  for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
-    if (*j < p.table.first_fluid) continue;
-    const auto pair = pair_geometry<Dim, float>(at(row), at(*j));
-    const double kernel = cubic_spline::value(pair.q);
-    double rise = 0.0;
-    for (int d = 0; d < Dim; ++d) rise += p.gravity[d] * p.h * pair.offset.x[d];
-    weight += kernel;
-    sum += kernel * (positions[*j].w + state_.density * rise);
-  }
+  with_kernel(p.scene.kernel, [&](auto kernel) {
+    for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
+      if (*j < p.table.first_fluid) continue;
+      const auto pair = pair_geometry<Dim, float, decltype(kernel)>(at(row), at(*j));
+      const double value = pair.value();
+      double rise = 0.0;
+      for (int d = 0; d < Dim; ++d) rise += p.gravity[d] * p.h * pair.offset.x[d];
+      weight += value;
+      sum += value * (positions[*j].w + state_.density * rise);
+    }
+  });
   const double pressure = weight > 0.0 ? sum / weight : 0.0;
   return static_cast<float>(state_.clamp ? std::max(0.0, pressure) : pressure);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/kernel.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -82,7 +84,8 @@ class CellGrid {
   }
 
  private:
-  static constexpr double kSupport = 2.0 * 1.0001;  ///< a little over the support radius, for rounding
+  static constexpr double kSupport =
+      kKernelSupport * 1.0001;  ///< a little over the support radius, for rounding
   static constexpr double kRounding = 1e-3;
   static constexpr float kUnbounded = 1e9F;
 

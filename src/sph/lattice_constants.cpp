@@ -6,11 +6,13 @@
 
 namespace eisph {
 
-template <int Dim>
-LatticeConstants lattice_constants(double smoothing_ratio) {
+namespace {
+
+template <int Dim, class Kernel>
+LatticeConstants constants_of(double smoothing_ratio) {
   const double spacing = 1.0 / smoothing_ratio;
   const double volume = std::pow(spacing, Dim);
-  const int reach = static_cast<int>(std::ceil(cubic_spline::kSupport / spacing));
+  const int reach = static_cast<int>(std::ceil(kKernelSupport / spacing));
   const Vector<Dim, double> centre{};
   DensitySum<double> density;
   LaplacianSums<double> laplacian;
@@ -22,20 +24,27 @@ LatticeConstants lattice_constants(double smoothing_ratio) {
         node.x[0] = spacing * i;
         node.x[1] = spacing * j;
         if constexpr (Dim == 3) node.x[2] = spacing * k;
-        const auto pair = pair_geometry<Dim, double>(centre, node);
+        const auto pair = pair_geometry<Dim, double, Kernel>(centre, node);
         density.add(pair, volume);
         laplacian.add(pair, laplacian_weight(pair), volume, 0.0);
         const bool self = i == 0 && j == 0 && k == 0;
-        if (!self && pair.q < cubic_spline::kSupport) ++constants.neighbours;
+        if (!self && pair.q < kKernelSupport) ++constants.neighbours;
       }
     }
   }
-  constants.number_density = cubic_spline::normalisation<Dim>() * density.value;
-  constants.laplacian = -2.0 * cubic_spline::normalisation<Dim>() * laplacian.coefficient;
+  constants.number_density = Kernel::template normalisation<Dim>() * density.value;
+  constants.laplacian = -2.0 * Kernel::template normalisation<Dim>() * laplacian.coefficient;
   return constants;
 }
 
-template LatticeConstants lattice_constants<2>(double);
-template LatticeConstants lattice_constants<3>(double);
+}  // namespace
+
+template <int Dim>
+LatticeConstants lattice_constants(KernelKind kernel, double smoothing_ratio) {
+  return with_kernel(kernel, [&](auto type) { return constants_of<Dim, decltype(type)>(smoothing_ratio); });
+}
+
+template LatticeConstants lattice_constants<2>(KernelKind, double);
+template LatticeConstants lattice_constants<3>(KernelKind, double);
 
 }  // namespace eisph

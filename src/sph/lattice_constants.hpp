@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/kernel.hpp"
+
 namespace eisph {
 
 /// Sums over the undisturbed lattice, that normalise those of the flow.
@@ -11,6 +13,6 @@ struct LatticeConstants {
 
 /// For the square or cubic lattice of given h/dx.
 template <int Dim>
-LatticeConstants lattice_constants(double smoothing_ratio);
+LatticeConstants lattice_constants(KernelKind kernel, double smoothing_ratio);
 
 }  // namespace eisph

@@ -1,11 +1,13 @@
 #include "sph/neighbour_list.hpp"
 
+#include "core/kernel.hpp"
+
 namespace eisph {
 
 namespace {
 
 constexpr std::size_t kCellsPerItem = 48;
-constexpr float kSupportSquared = 4.0F;
+constexpr float kSupportSquared = kKernelSupport * kKernelSupport;
 
 constexpr std::uint32_t kConsecutive[kPackWidth] = {0, 1, 2, 3, 4, 5, 6, 7};
 

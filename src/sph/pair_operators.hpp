@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sph/cubic_spline.hpp"
+#include "core/kernel.hpp"
 
 namespace eisph {
 
@@ -28,17 +28,21 @@ inline Vector<Dim, Real> zero_vector() {
 }
 
 /// xi_i - xi_j and what the kernel makes of it.
-template <int Dim, class Real>
+template <int Dim, class Real, class Kernel>
 struct PairGeometry {
   Vector<Dim, Real> offset;  ///< xi_i - xi_j
   Real squared;              ///< q^2
   Real q;
   Real gradient;  ///< (dW/dq)/q / alpha, not positive; grad W = alpha/h gradient xi_ij
+
+  /// W / alpha
+  [[nodiscard]] Real value() const { return Kernel::value(q); }
 };
 
-template <int Dim, class Real>
-inline PairGeometry<Dim, Real> pair_geometry(const Vector<Dim, Real>& xi_i, const Vector<Dim, Real>& xi_j) {
-  PairGeometry<Dim, Real> pair;
+template <int Dim, class Real, class Kernel>
+inline PairGeometry<Dim, Real, Kernel> pair_geometry(const Vector<Dim, Real>& xi_i,
+                                                     const Vector<Dim, Real>& xi_j) {
+  PairGeometry<Dim, Real, Kernel> pair;
   pair.squared = splat<Real>(kTinySquared);
   for (int d = 0; d < Dim; ++d) {
     pair.offset.x[d] = xi_i.x[d] - xi_j.x[d];
@@ -46,13 +50,13 @@ inline PairGeometry<Dim, Real> pair_geometry(const Vector<Dim, Real>& xi_i, cons
   }
   const Real inverse_q = reciprocal_sqrt(pair.squared);
   pair.q = pair.squared * inverse_q;
-  pair.gradient = cubic_spline::derivative(pair.q) * inverse_q;
+  pair.gradient = Kernel::gradient(pair.q, inverse_q);
   return pair;
 }
 
 /// gradient / (q^2 + eta^2): common to the Laplacian of pressure and the viscous term.
-template <int Dim, class Real>
-inline Real laplacian_weight(const PairGeometry<Dim, Real>& pair) {
+template <int Dim, class Real, class Kernel>
+inline Real laplacian_weight(const PairGeometry<Dim, Real, Kernel>& pair) {
   return pair.gradient / (pair.squared + splat<Real>(kEtaSquared));
 }
 
@@ -63,8 +67,8 @@ struct LaplacianSums {
   Real coefficient = splat<Real>(0.0);  ///< sum A_ij, without 2 alpha/(rho0 h^2)
   Real pressure = splat<Real>(0.0);     ///< sum A_ij P_j, likewise, Pa
 
-  template <int Dim>
-  void add(const PairGeometry<Dim, Real>& pair, Real weight, Real volume_j, Real pressure_j) {
+  template <int Dim, class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real weight, Real volume_j, Real pressure_j) {
     const Real a = volume_j * weight * pair.squared;
     coefficient += a;
     pressure += a * pressure_j;
@@ -76,9 +80,9 @@ template <class Real>
 struct DensitySum {
   Real value = splat<Real>(0.0);
 
-  template <int Dim>
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
-    value += volume_j * cubic_spline::value(pair.q);
+  template <int Dim, class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j) {
+    value += volume_j * pair.value();
   }
 };
 
@@ -89,8 +93,9 @@ template <int Dim, class Real>
 struct ViscousSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
-  void add(const PairGeometry<Dim, Real>& pair, Real weight, Real volume_j, const Vector<Dim, Real>& u_i,
-           const Vector<Dim, Real>& u_j) {
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real weight, Real volume_j,
+           const Vector<Dim, Real>& u_i, const Vector<Dim, Real>& u_j) {
     Real approach = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) approach += (u_i.x[d] - u_j.x[d]) * pair.offset.x[d];
     const Real scale = volume_j * approach * weight;
@@ -103,8 +108,8 @@ template <class Real>
 struct DivergenceSum {
   Real value = splat<Real>(0.0);
 
-  template <int Dim>
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, const Vector<Dim, Real>& s_i,
+  template <int Dim, class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, const Vector<Dim, Real>& s_i,
            const Vector<Dim, Real>& s_j) {
     Real opening = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) opening += (s_j.x[d] - s_i.x[d]) * pair.offset.x[d];
@@ -117,7 +122,8 @@ template <int Dim, class Real>
 struct PressureGradientSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real pressure_i, Real pressure_j) {
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, Real pressure_i, Real pressure_j) {
     const Real scale = volume_j * (pressure_i + pressure_j) * pair.gradient;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
   }
@@ -128,7 +134,8 @@ template <int Dim, class Real>
 struct ScalarGradientSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference) {
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, Real difference) {
     const Real scale = volume_j * difference * pair.gradient;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
   }
@@ -139,7 +146,8 @@ template <int Dim, class Real>
 struct ConcentrationGradientSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j) {
     const Real scale = volume_j * pair.gradient;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
   }
@@ -152,7 +160,8 @@ struct MomentSum {
   static constexpr int kEntries = Dim * (Dim + 1) / 2;
   Vector<kEntries, Real> value = zero_vector<kEntries, Real>();
 
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j) {
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j) {
     const Real scale = volume_j * pair.gradient;
     int entry = Dim;
     for (int a = 0; a < Dim; ++a) {
@@ -169,14 +178,14 @@ template <class Real>
 struct DiffusionSum {
   Real value = splat<Real>(0.0);
 
-  template <int Dim>
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference) {
+  template <int Dim, class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, Real difference) {
     value += volume_j * difference * pair.gradient;
   }
 
   /// `gradients`: the sum of those at i and j, in units of f per smoothing length.
-  template <int Dim>
-  void add(const PairGeometry<Dim, Real>& pair, Real volume_j, Real difference,
+  template <int Dim, class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, Real difference,
            const Vector<Dim, Real>& gradients) {
     Real along = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) along += gradients.x[d] * pair.offset.x[d];

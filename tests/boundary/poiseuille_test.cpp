@@ -20,7 +20,7 @@ Eigen::MatrixXd channel_operator(int layers, double slip_factor) {
   set_all_faces(scene, {FaceKind::Wall, slip_factor});
   scene.domain_max.z() = scene.domain_min.z() + layers * scene.particle_spacing;
   const MirrorPlanes<Dim> planes(scene);
-  const double factor = 2.0 * (Dim + 2) * cubic_spline::normalisation<Dim>();
+  const double factor = 2.0 * (Dim + 2) * CubicSpline::normalisation<Dim>();
   const int vertical = Dim - 1;
   constexpr int kReach = 3;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(layers, layers);
@@ -29,7 +29,7 @@ Eigen::MatrixXd channel_operator(int layers, double slip_factor) {
     here.x[vertical] = (i + 0.5) * spacing;
     // Adds the drag that unit velocity `u_j` of a particle at `there` exerts, `u_i` being that of particle i.
     const auto drag = [&](const Vector<Dim, double>& there, double u_i, double u_j) {
-      const auto pair = pair_geometry<Dim, double>(here, there);
+      const auto pair = pair_geometry<Dim, double, CubicSpline>(here, there);
       ViscousSum<Dim, double> sum;
       Vector<Dim, double> velocity_i{};
       Vector<Dim, double> velocity_j{};

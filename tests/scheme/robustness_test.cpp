@@ -199,11 +199,11 @@ double divergence_rms(const Snapshot& snapshot, double reach) {
     for (std::size_t j = 0; j < snapshot.size(); ++j) {
       const Vec3d other = snapshot.position[j].cast<double>();
       if ((other - at).squaredNorm() >= reach * reach) continue;
-      sum.add(pair_geometry<2, double>(plane(at), plane(other)), 1.0,
+      sum.add(pair_geometry<2, double, CubicSpline>(plane(at), plane(other)), 1.0,
               plane(snapshot.velocity[i].cast<double>()), plane(snapshot.velocity[j].cast<double>()));
     }
     const double volume = snapshot.particle_spacing * snapshot.particle_spacing / (h * h);
-    const double divergence = cubic_spline::normalisation<2>() * volume * sum.value;
+    const double divergence = CubicSpline::normalisation<2>() * volume * sum.value;
     squares += divergence * divergence;
     ++count;
   }

@@ -39,11 +39,11 @@ void expect_exact_gradient(const LatticeCloud<Dim>& cloud) {
   MomentSum<Dim, double> moments;
   ScalarGradientSum<Dim, double> sum;
   const double origin = linear_field(Vector<Dim, double>{});
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     moments.add(pair, cloud.volume);
     sum.add(pair, cloud.volume, linear_field(node) - origin);
   });
-  const GradientCorrection<Dim> correction(moments, cubic_spline::normalisation<Dim>());
+  const GradientCorrection<Dim> correction(moments, CubicSpline::normalisation<Dim>());
   ASSERT_TRUE(correction.regular());
   const auto gradient = correction.gradient(sum);
   constexpr double kSlopes[] = {0.7, -1.3, 2.1};
@@ -54,7 +54,7 @@ void expect_exact_gradient(const LatticeCloud<Dim>& cloud) {
   DiffusionSum<double> plain;
   Vector<Dim, double> gradients{};
   for (int d = 0; d < Dim; ++d) gradients.x[d] = 2.0 * gradient[d];
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     diffusion.add(pair, cloud.volume, linear_field(node) - origin, gradients);
     plain.add(pair, cloud.volume, linear_field(node) - origin);
   });
@@ -82,17 +82,18 @@ TEST(DiffusionSum, OfASquareIsItsLaplacian) {
   // lap (x^2 + y^2) = 4, up to the error of the lattice as a quadrature: 7 per cent at h = 1.32 dx.
   const LatticeCloud<2> cloud(2.0);
   DiffusionSum<double> sum;
-  cloud.for_pairs([&](const PairGeometry<2, double>& pair, const Vector<2, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<2, double, CubicSpline>& pair, const Vector<2, double>& node) {
     sum.add(pair, cloud.volume, node.x[0] * node.x[0] + node.x[1] * node.x[1]);
   });
-  EXPECT_NEAR(-2.0 * cubic_spline::normalisation<2>() * sum.value, 4.0, 0.1);
+  EXPECT_NEAR(-2.0 * CubicSpline::normalisation<2>() * sum.value, 4.0, 0.1);
 }
 
 TEST(ConcentrationGradientSum, VanishesOnTheLatticeAndPointsIntoTheWaterAtItsSurface) {
   const auto gradient = [](const LatticeCloud<2>& cloud) {
     ConcentrationGradientSum<2, double> sum;
-    cloud.for_pairs(
-        [&](const PairGeometry<2, double>& pair, const Vector<2, double>&) { sum.add(pair, cloud.volume); });
+    cloud.for_pairs([&](const PairGeometry<2, double, CubicSpline>& pair, const Vector<2, double>&) {
+      sum.add(pair, cloud.volume);
+    });
     return sum.value;
   };
   LatticeCloud<2> cloud;

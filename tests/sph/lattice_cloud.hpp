@@ -37,7 +37,7 @@ struct LatticeCloud {
   template <class Visit>
   void for_pairs(const Visit& visit) const {
     const Vector<Dim, double> origin{};
-    for (const auto& node : nodes) visit(pair_geometry<Dim, double>(origin, node), node);
+    for (const auto& node : nodes) visit(pair_geometry<Dim, double, CubicSpline>(origin, node), node);
   }
 };
 

@@ -51,7 +51,7 @@ void expect_pack_operators_equal_double() {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const EightPairs<Dim> eight(seed);
     const Vector<Dim, Pack> origin{};
-    const auto pack = pair_geometry<Dim, Pack>(origin, eight.offset_pack);
+    const auto pack = pair_geometry<Dim, Pack, CubicSpline>(origin, eight.offset_pack);
     const Pack weight = laplacian_weight(pack);
     LaplacianSums<Pack> laplacian;
     DensitySum<Pack> density;
@@ -69,7 +69,8 @@ void expect_pack_operators_equal_double() {
       const auto u_i = EightPairs<Dim>::lane_of(eight.vector_i, lane);
       const auto u_j = EightPairs<Dim>::lane_of(eight.vector_j, lane);
       const double volume = eight.volume[lane];
-      const auto pair = pair_geometry<Dim, double>(zero, EightPairs<Dim>::lane_of(eight.offset_pack, lane));
+      const auto pair =
+          pair_geometry<Dim, double, CubicSpline>(zero, EightPairs<Dim>::lane_of(eight.offset_pack, lane));
       const double lane_weight = laplacian_weight(pair);
       LaplacianSums<double> lane_laplacian;
       DensitySum<double> lane_density;

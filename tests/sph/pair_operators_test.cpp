@@ -15,7 +15,7 @@ namespace {
 
 template <int Dim>
 double alpha() {
-  return cubic_spline::normalisation<Dim>();
+  return CubicSpline::normalisation<Dim>();
 }
 
 /// sum V_j (s_j - s_i) . grad W_ij
@@ -23,7 +23,7 @@ template <int Dim, class Field>
 double divergence(const LatticeCloud<Dim>& cloud, const Field& field) {
   DivergenceSum<double> sum;
   const Vector<Dim, double> origin{};
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     sum.add(pair, cloud.volume, field(origin), field(node));
   });
   return alpha<Dim>() * sum.value;
@@ -34,7 +34,7 @@ template <int Dim, class Field>
 Vector<Dim, double> pressure_gradient(const LatticeCloud<Dim>& cloud, const Field& field) {
   PressureGradientSum<Dim, double> sum;
   const Vector<Dim, double> origin{};
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     sum.add(pair, cloud.volume, field(origin), field(node));
   });
   for (int d = 0; d < Dim; ++d) sum.value.x[d] *= alpha<Dim>();
@@ -45,7 +45,7 @@ Vector<Dim, double> pressure_gradient(const LatticeCloud<Dim>& cloud, const Fiel
 template <int Dim, class Field>
 double pressure_laplacian(const LatticeCloud<Dim>& cloud, const Field& field) {
   LaplacianSums<double> sums;
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     sums.add(pair, laplacian_weight(pair), cloud.volume, field(node));
   });
   return 2.0 * alpha<Dim>() * (sums.coefficient * field(Vector<Dim, double>{}) - sums.pressure);
@@ -56,7 +56,7 @@ template <int Dim, class Field>
 Vector<Dim, double> viscous_term(const LatticeCloud<Dim>& cloud, const Field& field) {
   ViscousSum<Dim, double> sum;
   const Vector<Dim, double> origin{};
-  cloud.for_pairs([&](const PairGeometry<Dim, double>& pair, const Vector<Dim, double>& node) {
+  cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
     sum.add(pair, laplacian_weight(pair), cloud.volume, field(origin), field(node));
   });
   for (int d = 0; d < Dim; ++d) sum.value.x[d] *= 2.0 * (Dim + 2) * alpha<Dim>();
@@ -192,7 +192,7 @@ TEST(PairOperators, ViscousTermVanishesForUniformAndRigidlyTurningFlow) {
 
 TEST(PairOperators, TheParticleItselfAddsNothingToGradients) {
   const Vector<3, double> here{{0.3, 0.2, -0.1}};
-  const auto pair = pair_geometry<3, double>(here, here);
+  const auto pair = pair_geometry<3, double, CubicSpline>(here, here);
   PressureGradientSum<3, double> gradient;
   gradient.add(pair, 1.0, 1e5, 1e5);
   DivergenceSum<double> divergence_sum;

@@ -1,4 +1,4 @@
-#include "sph/cubic_spline.hpp"
+#include "core/kernel.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -19,14 +19,14 @@ double branch_value(double q) {
 template <int Dim>
 double integral() {
   constexpr int kSteps = 20000;
-  constexpr double kStep = cubic_spline::kSupport / kSteps;
+  constexpr double kStep = kKernelSupport / kSteps;
   double sum = 0.0;
   for (int k = 0; k < kSteps; ++k) {
     const double q = (k + 0.5) * kStep;
     const double shell = Dim == 2 ? 2.0 * std::numbers::pi * q : 4.0 * std::numbers::pi * q * q;
-    sum += cubic_spline::value(q) * shell * kStep;
+    sum += CubicSpline::value(q) * shell * kStep;
   }
-  return cubic_spline::normalisation<Dim>() * sum;
+  return CubicSpline::normalisation<Dim>() * sum;
 }
 
 TEST(CubicSpline, IntegratesToOneInTwoAndThreeDimensions) {
@@ -37,23 +37,23 @@ TEST(CubicSpline, IntegratesToOneInTwoAndThreeDimensions) {
 TEST(CubicSpline, EqualsTheTwoBranchForm) {
   for (int k = 0; k <= 250; ++k) {
     const double q = 0.01 * k;
-    EXPECT_NEAR(cubic_spline::value(q), branch_value(q), 1e-15) << "q = " << q;
+    EXPECT_NEAR(CubicSpline::value(q), branch_value(q), 1e-15) << "q = " << q;
   }
 }
 
 TEST(CubicSpline, HasTheKnownValuesAtTheKnots) {
-  EXPECT_DOUBLE_EQ(cubic_spline::value(0.0), 1.0);
-  EXPECT_DOUBLE_EQ(cubic_spline::value(1.0), 0.25);
-  EXPECT_DOUBLE_EQ(cubic_spline::value(2.0), 0.0);
-  EXPECT_DOUBLE_EQ(cubic_spline::derivative(0.0), 0.0);
-  EXPECT_DOUBLE_EQ(cubic_spline::derivative(1.0), -0.75);
-  EXPECT_DOUBLE_EQ(cubic_spline::derivative(2.0), 0.0);
+  EXPECT_DOUBLE_EQ(CubicSpline::value(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(CubicSpline::value(1.0), 0.25);
+  EXPECT_DOUBLE_EQ(CubicSpline::value(2.0), 0.0);
+  EXPECT_DOUBLE_EQ(CubicSpline::derivative(0.0), 0.0);
+  EXPECT_DOUBLE_EQ(CubicSpline::derivative(1.0), -0.75);
+  EXPECT_DOUBLE_EQ(CubicSpline::derivative(2.0), 0.0);
 }
 
 TEST(CubicSpline, VanishesBeyondTheSupport) {
   for (const double q : {2.0, 2.0001, 3.0, 1e6}) {
-    EXPECT_EQ(cubic_spline::value(q), 0.0) << "q = " << q;
-    EXPECT_EQ(cubic_spline::derivative(q), 0.0) << "q = " << q;
+    EXPECT_EQ(CubicSpline::value(q), 0.0) << "q = " << q;
+    EXPECT_EQ(CubicSpline::derivative(q), 0.0) << "q = " << q;
   }
 }
 
@@ -63,14 +63,13 @@ TEST(CubicSpline, DerivativeEqualsCentralDifferences) {
   constexpr double kStep = 1e-5;
   for (int k = 1; k <= 220; ++k) {
     const double q = 0.01 * k;
-    const double difference =
-        (cubic_spline::value(q + kStep) - cubic_spline::value(q - kStep)) / (2.0 * kStep);
-    EXPECT_NEAR(cubic_spline::derivative(q), difference, 1e-9) << "q = " << q;
+    const double difference = (CubicSpline::value(q + kStep) - CubicSpline::value(q - kStep)) / (2.0 * kStep);
+    EXPECT_NEAR(CubicSpline::derivative(q), difference, 1e-9) << "q = " << q;
   }
 }
 
 TEST(CubicSpline, FallsMonotonically) {
-  for (int k = 1; k < 200; ++k) EXPECT_LT(cubic_spline::derivative(0.01 * k), 0.0) << "q = " << 0.01 * k;
+  for (int k = 1; k < 200; ++k) EXPECT_LT(CubicSpline::derivative(0.01 * k), 0.0) << "q = " << 0.01 * k;
 }
 
 }  // namespace
