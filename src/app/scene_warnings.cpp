@@ -131,8 +131,11 @@ void warn_of_time_step(std::vector<std::string>& warnings, const Scene& scene, c
   Scene inviscid = scene;
   inviscid.kinematic_viscosity = 0.0;
   inviscid.artificial_viscosity = 0.0;
-  const double advective = admissible_time_step(inviscid, 0.0);
-  const double viscous = admissible_time_step(scene, 0.0);
+  const LatticeConstants lattice = scene.dimension == 2
+                                       ? lattice_constants<2>(scene.kernel, scene.smoothing_ratio)
+                                       : lattice_constants<3>(scene.kernel, scene.smoothing_ratio);
+  const double advective = admissible_time_step(inviscid, lattice, 0.0);
+  const double viscous = admissible_time_step(scene, lattice, 0.0);
   if (viscous < advective) {
     warnings.push_back(fmt::format("the viscous limit governs the time step: {:.3g} s instead of {:.3g} s",
                                    viscous, advective));

@@ -124,7 +124,7 @@ struct SchemeSettings {
   bool viscous_source = true;               ///< viscosity takes part in the source of the pressure equation
   std::optional<double> volume_correction;  ///< kappa; default min(1, 3 phi), thesis 0.1; 0: off
   int pressure_sweeps = 1;
-  double free_surface_threshold = 0.9;  ///< of the normalised number density
+  double free_surface_threshold = 0.93;  ///< of the normalised number density
   InitialPressure initial_pressure = InitialPressure::Solve;
   bool clamp_pressure = true;  ///< no negative pressure
   double shifting = 0.0;       ///< coefficient A of the particle shifting
@@ -263,12 +263,12 @@ struct Scene {
   int dimension = 3;
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m
-  double smoothing_ratio = 1.32;  ///< h / dx
-  KernelKind kernel = KernelKind::CubicSpline;
+  double smoothing_ratio = 1.4;  ///< h / dx
+  KernelKind kernel = KernelKind::QuinticSpline;
 
   double density = 1000.0;             ///< kg/m^3
   double kinematic_viscosity = 0.0;    ///< m^2/s
-  double artificial_viscosity = 0.02;  ///< alpha_v
+  double artificial_viscosity = 0.01;  ///< alpha_v
   double reference_depth = 0.0;        ///< m, H; default: from the water's highest to its lowest point
   double jitter = 0.0;                 ///< initial random displacement, fraction of dx
   unsigned jitter_seed = 1;

@@ -121,6 +121,12 @@ double default_courant(Stepping stepping) {
 }
 
 void complete_scheme(Scene& scene, const TomlSource& source) {
+  if (!source.given("particles.smoothing_ratio")) {
+    scene.smoothing_ratio = default_smoothing_ratio(scene.kernel, scene.dimension);
+  }
+  if (!source.given("scheme.free_surface_threshold")) {
+    scene.scheme.free_surface_threshold = default_free_surface_threshold(scene.kernel, scene.dimension);
+  }
   SchemeSettings& scheme = scene.scheme;
   if (scheme.stepping == Stepping::Thesis) {
     if (!source.given("scheme.phi")) scheme.phi = kThesisPhi;

@@ -17,12 +17,14 @@ KeyTable<Scene> particle_keys() {
               "Particle spacing dx of the initial lattice.")
       .required();
   keys.number("smoothing_ratio", "", &Scene::smoothing_ratio, between(1.0, 2.0),
-              "Smoothing length over particle spacing, h / dx; the kernel reaches 2 h.");
+              "Smoothing length over particle spacing, h / dx; the kernel reaches 2 h.")
+      .fallback("quintic_spline 1.4 (2D), 1.2 (3D); wendland_c2 1.32, 1.2; cubic_spline 1.32");
   keys.choice<KernelKind>("kernel", &Scene::kernel,
-                          {{"wendland_c2", KernelKind::WendlandC2},
-                           {"wendland_c4", KernelKind::WendlandC4},
+                          {{"quintic_spline", KernelKind::QuinticSpline},
+                           {"wendland_c2", KernelKind::WendlandC2},
                            {"cubic_spline", KernelKind::CubicSpline}},
-                          "Smoothing kernel. Particles pair with the cubic spline from h = 1.2 dx on.");
+                          "Smoothing kernel, of support 2 h all of them. With the cubic spline of the thesis "
+                          "particles pair from h = 1.2 dx on.");
   keys.number("jitter", "dx", &Scene::jitter, between(0.0, 0.5),
               "Largest random displacement of a particle at the start, per component.");
   keys.integer("jitter_seed", "", &Scene::jitter_seed, between(0.0, 4294967295.0),
@@ -181,7 +183,8 @@ KeyTable<SchemeSettings> scheme_keys() {
   keys.integer("pressure_sweeps", "", &SchemeSettings::pressure_sweeps, between(1.0, 1000.0),
                "Jacobi sweeps of the pressure equation in a step.");
   keys.number("free_surface_threshold", "", &SchemeSettings::free_surface_threshold, between(0.0, 1.0),
-              "Particles of a lower normalised number density are on the free surface and have no pressure.");
+              "Particles of a lower normalised number density are on the free surface and have no pressure.")
+      .fallback("quintic_spline 0.93 (2D), 0.91 (3D); others 0.9");
   keys.choice<InitialPressure>(
       "initial_pressure", &SchemeSettings::initial_pressure,
       {{"solve", InitialPressure::Solve},

@@ -21,7 +21,8 @@ class IncompressibleScheme : public ParticleScheme<Dim> {
  protected:
   void find_initial_state() override { equation_.find_initial_pressure(); }
   [[nodiscard]] double admissible_time_step() const override {
-    return eisph::admissible_time_step(this->particles_.scene, this->particles_.speed_max);
+    const ParticleSystem<Dim>& p = this->particles_;
+    return eisph::admissible_time_step(p.scene, p.lattice, p.speed_max);
   }
   void add_bytes(std::map<std::string, double>& by_array) const override {
     by_array["density_and_coefficient"] += static_cast<double>(equation_.bytes());

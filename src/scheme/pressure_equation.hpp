@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scheme/blow_bound.hpp"
 #include "scheme/neighbour_sums.hpp"
 #include "scheme/particle_system.hpp"
 
@@ -18,8 +19,7 @@ template <int Dim>
 class PressureEquation {
  public:
   /// `keeps_source`: whether relax() keeps the right side for sweep_again() and solve().
-  PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source)
-      : particles_(particles), keeps_source_(keeps_source) {}
+  PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source);
   void keep_source(bool keeps) { keeps_source_ = keeps; }
   /// Coefficients of the fluid add up to this part of the lattice's at least: neighbours that are missing
   /// count as water at zero pressure, beyond the free surface (after Nair & Tomar 2014, Computers & Fluids
@@ -64,8 +64,12 @@ class PressureEquation {
   template <bool WithDensity>
   [[nodiscard]] Sums sums(std::uint32_t row) const;
   [[nodiscard]] double coefficient_pressure_sum(std::uint32_t row) const;
-  [[nodiscard]] bool is_pressureless(const Sums& sums, bool object) const;
+  [[nodiscard]] bool is_pressureless(const Sums& sums, double time_step, bool object) const;
   [[nodiscard]] double relaxed(const Sums& sums, double time_step) const;
+  /// `pressure` within what the scheme allows: not negative where the scene clamps it, and bounded in a blow.
+  [[nodiscard]] double bounded(double pressure, double number_density) const;
+  /// The bound on blows with the speeds of the moment.
+  void set_blow_bound();
   /// Sums::coefficient of the undisturbed lattice.
   [[nodiscard]] double lattice_coefficient() const {
     return particles_.lattice.laplacian / (2.0 * particles_.alpha);
@@ -97,6 +101,9 @@ class PressureEquation {
   ParticleSystem<Dim>& particles_;
   bool keeps_source_;
   double least_coefficient_ = 0.0;
+  double initial_head_ = 0.0;  ///< of the water of t = 0, highest above lowest along gravity, m^2/s^2
+  BlowBound blow_bound_;
+  bool sheets_push_ = true;  ///< whether surface particles that are being compressed have a pressure
   AlignedBuffer<float> coefficient_;      ///< Sums::coefficient of the fluid, zero where there is no pressure
   AlignedBuffer<float> source_term_;      ///< right side of the unknowns, Pa
   AlignedBuffer<float> object_pressure_;  ///< of the solids, in table order, Pa

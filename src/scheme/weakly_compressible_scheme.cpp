@@ -113,7 +113,7 @@ double WeaklyCompressibleScheme<Dim>::admissible_time_step() const {
   if (scheme.time_step_mode == TimeStepMode::Fixed) return scheme.time_step;
   const double speed = std::max(p.scene.expected_speed(), p.speed_max);
   double step = scheme.courant * p.h / (state_.sound_speed + speed);
-  if (p.viscosity > 0.0) step = std::min(step, viscous_time_step(p.h, p.viscosity));
+  if (p.viscosity > 0.0) step = std::min(step, viscous_time_step(p.h, p.viscosity, p.lattice));
   return step;
 }
 

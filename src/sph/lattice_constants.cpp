@@ -2,21 +2,25 @@
 
 #include "sph/pair_operators.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
 
 namespace eisph {
 
 namespace {
 
-template <int Dim, class Kernel>
-LatticeConstants constants_of(double smoothing_ratio) {
-  const double spacing = 1.0 / smoothing_ratio;
-  const double volume = std::pow(spacing, Dim);
+/// Wave numbers per axis that are tried, from zero to the shortest wave that the lattice holds (2 dx).
+constexpr int kWaveNumbers = 9;
+
+/// Calls visit(node, is_centre) for every node within the support of the origin, in smoothing lengths.
+template <int Dim, class Visit>
+void visit_nodes(double spacing, const Visit& visit) {
   const int reach = static_cast<int>(std::ceil(kKernelSupport / spacing));
-  const Vector<Dim, double> centre{};
-  DensitySum<double> density;
-  LaplacianSums<double> laplacian;
-  LatticeConstants constants;
   for (int k = Dim == 3 ? -reach : 0; k <= (Dim == 3 ? reach : 0); ++k) {
     for (int j = -reach; j <= reach; ++j) {
       for (int i = -reach; i <= reach; ++i) {
@@ -24,16 +28,63 @@ LatticeConstants constants_of(double smoothing_ratio) {
         node.x[0] = spacing * i;
         node.x[1] = spacing * j;
         if constexpr (Dim == 3) node.x[2] = spacing * k;
-        const auto pair = pair_geometry<Dim, double, Kernel>(centre, node);
-        density.add(pair, volume);
-        laplacian.add(pair, laplacian_weight(pair), volume, 0.0);
-        const bool self = i == 0 && j == 0 && k == 0;
-        if (!self && pair.q < kKernelSupport) ++constants.neighbours;
+        visit(node, i == 0 && j == 0 && k == 0);
       }
     }
   }
+}
+
+/// A wave of velocity with wave vector k and polarisation e decays at the rate e . M e nu / h^2 with
+/// M = 2 (D + 2) alpha h^Dim sum V_j |dW/dq|/q / (q^2 + eta^2) (1 - cos(k . xi_j)) xi_j (x) xi_j.
+template <int Dim, class Kernel>
+double viscous_eigenvalue(double spacing) {
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+  using Column = Eigen::Matrix<double, Dim, 1>;
+  const double volume = std::pow(spacing, Dim);
+  const double factor = 2.0 * (Dim + 2) * Kernel::template normalisation<Dim>();
+  std::vector<std::pair<Column, double>> terms;
+  visit_nodes<Dim>(spacing, [&](const Vector<Dim, double>& node, bool is_centre) {
+    if (is_centre) return;
+    const auto pair = pair_geometry<Dim, double, Kernel>(Vector<Dim, double>{}, node);
+    Column offset;
+    for (int d = 0; d < Dim; ++d) offset[d] = node.x[d];
+    terms.emplace_back(offset, -factor * volume * laplacian_weight(pair));
+  });
+  double largest = 0.0;
+  const int waves = Dim == 2 ? kWaveNumbers * kWaveNumbers : kWaveNumbers * kWaveNumbers * kWaveNumbers;
+  for (int n = 0; n < waves; ++n) {
+    Column wave;
+    int rest = n;
+    for (int d = 0; d < Dim; ++d) {
+      wave[d] = std::numbers::pi / spacing * (rest % kWaveNumbers) / (kWaveNumbers - 1);
+      rest /= kWaveNumbers;
+    }
+    Matrix decay = Matrix::Zero();
+    for (const auto& [offset, weight] : terms) {
+      decay += weight * (1.0 - std::cos(wave.dot(offset))) * offset * offset.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(decay, Eigen::EigenvaluesOnly);
+    largest = std::max(largest, solver.eigenvalues()[Dim - 1]);
+  }
+  return largest;
+}
+
+template <int Dim, class Kernel>
+LatticeConstants constants_of(double smoothing_ratio) {
+  const double spacing = 1.0 / smoothing_ratio;
+  const double volume = std::pow(spacing, Dim);
+  DensitySum<double> density;
+  LaplacianSums<double> laplacian;
+  LatticeConstants constants;
+  visit_nodes<Dim>(spacing, [&](const Vector<Dim, double>& node, bool is_centre) {
+    const auto pair = pair_geometry<Dim, double, Kernel>(Vector<Dim, double>{}, node);
+    density.add(pair, volume);
+    laplacian.add(pair, laplacian_weight(pair), volume, 0.0);
+    if (!is_centre && pair.q < kKernelSupport) ++constants.neighbours;
+  });
   constants.number_density = Kernel::template normalisation<Dim>() * density.value;
   constants.laplacian = -2.0 * Kernel::template normalisation<Dim>() * laplacian.coefficient;
+  constants.viscous_eigenvalue = viscous_eigenvalue<Dim, Kernel>(spacing);
   return constants;
 }
 
