@@ -296,6 +296,22 @@ void find_pieces(const Scene& scene, const std::vector<Box>& boxes, FluidFit& fi
 
 }  // namespace
 
+int thin_axis(const Scene& scene, const FluidPiece& piece) {
+  int thinnest = -1;
+  double least = scene.particle_spacing * (1.0 - kTolerance);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!has_axis(scene, axis) || piece.upper[axis] - piece.lower[axis] >= least) continue;
+    least = piece.upper[axis] - piece.lower[axis];
+    thinnest = axis;
+  }
+  return thinnest;
+}
+
+double piece_volume(const Scene& scene, const FluidPiece& piece) {
+  const Vec3d size = piece.upper - piece.lower;
+  return scene.dimension == 2 ? size.x() * size.z() : size.prod();
+}
+
 FluidFit fit_fluid(const Scene& scene) {
   FluidFit fit;
   fit.cell_volume = std::pow(scene.particle_spacing, scene.dimension);

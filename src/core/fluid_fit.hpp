@@ -36,6 +36,13 @@ struct FluidFit {
   double misfit = 0.0;       ///< largest difference of the cell volume of a piece from it, over it
 };
 
+/// The axis along which a piece is thinner than a particle spacing, the thinnest of them; -1 if there is
+/// none.
+[[nodiscard]] int thin_axis(const Scene& scene, const FluidPiece& piece);
+
+/// m^3 (m^2 in 2D).
+[[nodiscard]] double piece_volume(const Scene& scene, const FluidPiece& piece);
+
 /// The pieces that the boxes of a scene make. Of the ways to divide the water and to number the layers, that
 /// one whose cells differ least from each other in volume, from cubes in shape and from dx^D in volume.
 [[nodiscard]] FluidFit fit_fluid(const Scene& scene);

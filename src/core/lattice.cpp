@@ -258,11 +258,12 @@ FluidLattice fluid_lattice(const Scene& scene) {
     lattice.velocity.push_back(velocity);
     return true;
   });
-  const bool aligned = fit_fluid(scene).aligned;
-  const double volume = aligned ? 0.0 : water_volume(scene);
-  lattice.particle_volume = aligned || lattice.position.empty()
-                                ? std::pow(scene.particle_spacing, scene.dimension)
-                                : volume / static_cast<double>(lattice.position.size());
+  lattice.particle_volume = std::pow(scene.particle_spacing, scene.dimension);
+  const FluidFit fit = fit_fluid(scene);
+  if (fit.aligned || lattice.position.empty()) return lattice;
+  double volume = water_volume(scene);
+  for (const FluidPiece& piece : fit.thin) volume -= piece_volume(scene, piece);
+  lattice.particle_volume = volume / static_cast<double>(lattice.position.size());
   return lattice;
 }
 

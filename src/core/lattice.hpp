@@ -15,7 +15,8 @@ namespace eisph {
 struct FluidLattice {
   std::vector<Vec3d> position;
   std::vector<Vec3d> velocity;
-  double particle_volume = 0.0;  ///< m^3 (m^2 in 2D), of every particle: water_volume over their number
+  double particle_volume =
+      0.0;  ///< m^3 (m^2 in 2D), of every particle: water_volume, less thin pieces, over their number
 };
 
 /// Most fluid particles a run can number.

@@ -174,12 +174,8 @@ class Packing {
   /// x -= 0.3 h^2 grad n, then out to the least distances.
   void move() {
     ParticleSystem<Dim>& p = particles_;
-    p.sort_fluid();
-    p.place_boundaries(0.0);
-    p.find_neighbours();
-    Float4* sources = p.fluid_rows(p.table.source);
-    for (std::uint32_t i = 0; i < p.fluid; ++i) sources[i] = {0.0F, 0.0F, 0.0F, static_cast<float>(p.volume)};
-    p.mirror_source();
+    p.find_initial_neighbours();
+    p.set_source_volumes();
     p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
       for (std::size_t i = first; i < last; ++i) {
         const int barred = barred_[p.id[i]];

@@ -233,6 +233,23 @@ void ParticleSystem<Dim>::find_neighbours() {
   set_object_sources();
 }
 
+template <int Dim>
+void ParticleSystem<Dim>::find_initial_neighbours() {
+  sort_fluid();
+  for (std::uint32_t i = 0; i < fluid; ++i) {
+    for (int d = 0; d < Dim; ++d) velocity[d][i] = (&table.velocity[fluid_row(i)].x)[d];
+  }
+  place_boundaries(0.0);
+  find_neighbours();
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::set_source_volumes() {
+  Float4* rows = fluid_rows(table.source);
+  std::fill_n(rows, fluid, Float4{0.0F, 0.0F, 0.0F, static_cast<float>(volume)});
+  mirror_source();
+}
+
 /// What drives the pressure at a solid is its own motion alone. Objects without water in reach take no part
 /// in the pressures of the others: their own is zero for want of an equation, not because they are free.
 template <int Dim>

@@ -40,6 +40,10 @@ struct ParticleSystem {
   /// The solids as they stand at `time` (s), and the mirror images of fluid and solids.
   void place_boundaries(double time);
   void find_neighbours();
+  /// All three at t = 0, the velocities in the new order as a step leaves them.
+  void find_initial_neighbours();
+  /// Gives the fluid and its images no vector and their volume in `table.source`, as solids have it.
+  void set_source_volumes();
 
   /// The images' w of `table.position` from their originals.
   void mirror_pressure();
