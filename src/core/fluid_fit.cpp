@@ -15,7 +15,7 @@ constexpr double kThinnest = 0.5;
 /// Weights of the squared logarithms of: the volume of a cell over that of all cells, its edges over their
 /// mean, the volume of all cells over dx^D. A difference in volume is a compression at t = 0, a stretched
 /// cell hardly a fault: the kernel does not see the lattice.
-constexpr double kVolumeWeight = 25.0;
+constexpr double kVolumeWeight = 100.0;
 constexpr double kStretchWeight = 1.0;
 constexpr double kSpacingWeight = 1.0;
 /// A piece that is too thin to hold a layer costs this much.

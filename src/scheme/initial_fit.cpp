@@ -28,12 +28,7 @@ double compression(ParticleSystem<Dim>& p) {
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t row = p.fluid_row(i);
-      DensitySum<Pack> density;
-      for_neighbours<Dim>(p, row, p.neighbours.of(row),
-                          [&](const std::uint32_t* j, const auto& pair, const Pack&) {
-                            density.add(pair, gather_rows(p.table.source.data(), j).w);
-                          });
-      const double value = p.alpha * horizontal_sum(density.value) / p.lattice.number_density;
+      const double value = number_density(p, row, p.neighbours.of(row)) / p.lattice.number_density;
       largest[first / kBlock] = std::max(largest[first / kBlock], value);
     }
   });

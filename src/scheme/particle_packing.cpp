@@ -12,7 +12,10 @@ namespace eisph {
 
 namespace {
 
-constexpr int kIterations = 40;
+constexpr int kSpreadings = 40;
+constexpr int kMostEvenings = 100;
+/// Error of the normalised number density that ends the evening.
+constexpr double kEvenEnough = 0.005;
 constexpr std::size_t kBlock = 1024;
 /// Of h^2 grad n: a step of diffusion of the number density.
 constexpr double kDiffusion = 0.3;
@@ -25,7 +28,7 @@ constexpr double kFlatClearance = 0.4;
 constexpr double kTouches = 1.0;
 /// Reach of the packing from such a solid, in smoothing lengths; beyond it particles as far as the support
 /// radius are seen but stay.
-constexpr double kReach = 4.0;
+constexpr double kReach = 8.0;
 /// Differences in the volume of cells that are left alone.
 constexpr double kLargestMisfit = 0.004;
 
@@ -105,7 +108,8 @@ class Packing {
   }
 
   void run() {
-    for (int iteration = 0; iteration < kIterations; ++iteration) move();
+    for (int iteration = 0; iteration < kSpreadings; ++iteration) spread();
+    for (int iteration = 0; iteration < kMostEvenings && find_errors() > kEvenEnough; ++iteration) even_out();
   }
 
   /// Places of the members, m.
@@ -171,17 +175,60 @@ class Packing {
     return barred;
   }
 
-  /// x -= 0.3 h^2 grad n, then out to the least distances.
-  void move() {
+  /// x -= 0.3 h^2 grad n: parts particles that lie close and fills gaps.
+  void spread() {
+    particles_.find_initial_neighbours();
+    particles_.set_source_volumes();
+    for_moving([&](std::size_t, std::uint32_t row, const Neighbours& near) {
+      Vector<Dim, double> gradient = concentration_gradient(particles_, row, near);
+      for (double& component : gradient.x) component *= -1.0;
+      return gradient;
+    });
+  }
+
+  /// The normalised number densities less one, into the w of the positions, none beside air. Returns the
+  /// largest of particles that move.
+  double find_errors() {
     ParticleSystem<Dim>& p = particles_;
     p.find_initial_neighbours();
     p.set_source_volumes();
+    Float4* rows = p.fluid_rows(p.table.position);
+    std::vector<double> largest((p.fluid + kBlock - 1) / kBlock, 0.0);
+    p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t i = first; i < last; ++i) {
+        const std::uint32_t row = p.fluid_row(i);
+        const double error = number_density(p, row, p.neighbours.of(row)) / p.lattice.number_density - 1.0;
+        const bool counts = barred_[p.id[i]] == kFree;
+        rows[i].w = counts ? static_cast<float>(error) : 0.0F;
+        if (counts) largest[first / kBlock] = std::max(largest[first / kBlock], std::abs(error));
+      }
+    });
+    p.mirror_pressure();
+    return *std::max_element(largest.begin(), largest.end());
+  }
+
+  /// x -= 0.3 h^2 sum V_j (e_i + e_j) grad W_ij with the errors e of find_errors: descends towards the least
+  /// sum of their squares.
+  void even_out() {
+    for_moving([&](std::size_t i, std::uint32_t row, const Neighbours& near) {
+      if (barred_[particles_.id[i]] != kFree) return Vector<Dim, double>{};
+      Vector<Dim, double> force = pressure_acceleration(particles_, row, near);
+      for (double& component : force.x) component *= scene_.density;
+      return force;
+    });
+  }
+
+  /// Moves particle i by 0.3 h^2 direction(i, row, near), not further than a tenth of the spacing and not
+  /// along its barred axis, then out to the least distances.
+  template <class Direction>
+  void for_moving(const Direction& direction) {
+    ParticleSystem<Dim>& p = particles_;
     p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
       for (std::size_t i = first; i < last; ++i) {
         const int barred = barred_[p.id[i]];
         if (barred == kStays) continue;
         const std::uint32_t row = p.fluid_row(i);
-        Vector<Dim, double> step = concentration_gradient(p, row, p.neighbours.of(row));
+        Vector<Dim, double> step = direction(i, row, p.neighbours.of(row));
         if (barred != kFree) step.x[barred] = 0.0;
         double squared = 0.0;
         for (int d = 0; d < Dim; ++d) squared += step.x[d] * step.x[d];
@@ -190,7 +237,7 @@ class Packing {
         const double scale = kDiffusion * p.h * p.h * (length > most ? most / length : 1.0);
         Vec3d at = place(i);
         const Vec3d before = at;
-        for (int d = 0; d < Dim; ++d) at[scene_axis<Dim>(d)] -= scale * step.x[d];
+        for (int d = 0; d < Dim; ++d) at[scene_axis<Dim>(d)] += scale * step.x[d];
         keep_clear(at, before);
         for (int d = 0; d < Dim; ++d) {
           p.position[d][i] = at[scene_axis<Dim>(d)] - scene_.domain_min[scene_axis<Dim>(d)];
