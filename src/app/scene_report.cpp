@@ -101,6 +101,11 @@ void add_particles(Report& report, const Scene& scene, const SimulationPlan& pla
   report.row("particles", fmt::format("{} fluid, {} object, {} virtual (not stored), {} ghost at t = 0",
                                       plan.fluid_particles, plan.object_particles, plan.virtual_particles,
                                       plan.ghost_particles));
+  const double cube = std::pow(scene.particle_spacing, scene.dimension);
+  report.row("water", fmt::format("{:.6g} {}, {:.5g} spacings {} a particle", plan.water_volume,
+                                  scene.dimension == 2 ? "m^2" : "m^3",
+                                  plan.water_volume / cube / static_cast<double>(plan.fluid_particles),
+                                  scene.dimension == 2 ? "squared" : "cubed"));
 }
 
 void add_cells(Report& report, const Scene& scene, const SimulationPlan& plan) {
@@ -157,6 +162,18 @@ std::string scene_report(const Scene& scene, const SimulationPlan& plan, std::ui
     report.row("comparison",
                fmt::format("with {} photographs, {}", comparison.photographs.size(), scene.comparison));
   }
+  return report.text();
+}
+
+std::string fit_report(const InitialFit& fit) {
+  Report report;
+  std::vector<std::string> gaps;
+  gaps.reserve(fit.gaps.size());
+  for (const InitialFit::Gap& gap : fit.gaps)
+    gaps.push_back(fmt::format("{} {:.3f}", gap.name, gap.spacings));
+  report.row("nearest row", gaps.empty() ? std::string("water touches neither walls nor solids")
+                                         : fmt::format("{} spacings", fmt::join(gaps, ", ")));
+  report.row("compression", fmt::format("{:.2g} % at t = 0", 100.0 * std::max(0.0, fit.compression)));
   return report.text();
 }
 

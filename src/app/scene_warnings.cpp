@@ -1,6 +1,7 @@
-#include "app/fluid_volume.hpp"
 #include "app/output_plan.hpp"
 #include "app/scene_report.hpp"
+#include "core/fluid_fit.hpp"
+#include "core/water_volume.hpp"
 #include "scheme/time_step.hpp"
 
 #include <algorithm>
@@ -162,15 +163,38 @@ void warn_of_short_intervals(std::vector<std::string>& warnings, const Scene& sc
       shortest, steps, plan.time_step, std::ceil(whole)));
 }
 
-void warn_of_lost_volume(std::vector<std::string>& warnings, const Scene& scene, double filled,
-                         const char* holders, const char* unit_of_length) {
-  const double wanted = fluid_volume(scene);
+/// Water beside cut-outs and other water that is thinner than a layer of particles.
+void warn_of_thin_water(std::vector<std::string>& warnings, const Scene& scene, const SimulationPlan& plan) {
+  const FluidFit fit = fit_fluid(scene);
+  const char* unit = scene.dimension == 2 ? "m^2" : "m^3";
+  const auto text = [&](const Vec3d& at) {
+    return scene.dimension == 2 ? fmt::format("({:g}, {:g})", at.x(), at.z())
+                                : fmt::format("({:g}, {:g}, {:g})", at.x(), at.y(), at.z());
+  };
+  const auto check = [&](const FluidPiece& piece, double particles) {
+    const int axis = thin_axis(scene, piece);
+    if (axis < 0) return;
+    const double held = particles * plan.water_volume / static_cast<double>(plan.fluid_particles);
+    warnings.push_back(fmt::format(
+        "the water of fluid.region.{} from {} to {} m is {:.4g} m thin in {}, less than a particle "
+        "spacing ({:g} m): it gets {:.4g} of its {:.4g} {}",
+        piece.region, text(piece.lower), text(piece.upper), piece.upper[axis] - piece.lower[axis],
+        "xyz"[axis], scene.particle_spacing, held, piece_volume(scene, piece), unit));
+  };
+  for (const FluidPiece& piece : fit.pieces)
+    check(piece, piece.layers[0] * piece.layers[1] * piece.layers[2]);
+  for (const FluidPiece& piece : fit.thin) check(piece, 0.0);
+}
+
+/// Of cells.
+void warn_of_lost_volume(std::vector<std::string>& warnings, const Scene& scene, double filled) {
+  const double wanted = water_volume(scene);
   if (!(wanted > 0.0) || std::abs(filled - wanted) <= kVolumeTolerance * wanted) return;
   const char* unit = scene.dimension == 2 ? "m^2" : "m^3";
   warnings.push_back(
-      fmt::format("the {} hold {:.4g} {} of water, the regions {:.4g} {}: {:+.2g} %; lengths that are "
-                  "multiples of the {} avoid that",
-                  holders, filled, unit, wanted, unit, 100.0 * (filled / wanted - 1.0), unit_of_length));
+      fmt::format("the cells hold {:.4g} {} of water, the regions {:.4g} {}: {:+.2g} %; lengths that are "
+                  "multiples of the cell size avoid that",
+                  filled, unit, wanted, unit, 100.0 * (filled / wanted - 1.0)));
 }
 
 /// Cells on solids are full height from the floor up, and none in a solid that no cell centre lies in.
@@ -197,7 +221,7 @@ std::vector<std::string> shallow_water_warnings(const Scene& scene, const Simula
   };
   for (const Obstacle& obstacle : scene.obstacles) check("obstacle", obstacle.name, obstacle.shape);
   for (const Gate& gate : scene.gates) check("gate", gate.name, gate.shape);
-  warn_of_lost_volume(warnings, scene, plan.water_volume, "cells", "cell size");
+  warn_of_lost_volume(warnings, scene, plan.water_volume);
   return warnings;
 }
 
@@ -219,9 +243,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
   warn_of_implicit_blows(warnings, scene, plan);
   warn_of_short_intervals(warnings, scene, plan);
 
-  const double filled =
-      static_cast<double>(plan.fluid_particles) * std::pow(scene.particle_spacing, scene.dimension);
-  warn_of_lost_volume(warnings, scene, filled, "particles", "particle spacing");
+  warn_of_thin_water(warnings, scene, plan);
   return warnings;
 }
 

@@ -15,15 +15,23 @@ namespace eisph {
 struct FluidLattice {
   std::vector<Vec3d> position;
   std::vector<Vec3d> velocity;
+  double particle_volume =
+      0.0;  ///< m^3 (m^2 in 2D), of every particle: water_volume, less thin pieces, over their number
 };
 
 /// Most fluid particles a run can number.
 inline constexpr double kMaximumFluidParticles = 4.0e9;
 
-/// Centres lie on the cubic lattice domain_min + (i + 1/2) dx (y = 0 in two dimensions), inside an added
-/// region, in no cut one and inside the domain; the last added region that contains a centre gives the
-/// velocity. With jitter every component is displaced by up to jitter * dx.
+/// Where all regions are upright boxes that begin and end on the lattice domain_min + i dx, centres lie on
+/// domain_min + (i + 1/2) dx (y = 0 in two dimensions), inside an added region and in no cut one. Elsewhere
+/// every piece of fit_fluid has a lattice of its own, stretched so that it lies half a layer from its faces;
+/// of cells that a round or rotated surface divides near a solid as many are kept as their parts add up to,
+/// and without a solid those whose centres are in the water. The last added region that contains a centre
+/// gives the velocity. With jitter every component is displaced by up to jitter * dx.
 [[nodiscard]] FluidLattice fluid_lattice(const Scene& scene);
+
+/// Displaces the places of a lattice without jitter (m) by that of the scene.
+void add_jitter(const Scene& scene, std::vector<Vec3d>& positions);
 
 /// Receives position (m) and velocity (m/s) of one particle; returns false to stop.
 using FluidVisitor = std::function<bool(const Vec3d&, const Vec3d&)>;

@@ -15,6 +15,9 @@ void check_settings(const Scene& scene, const TomlSource& source);
 /// Domain, bodies, probes, particle counts and memory. Throws InputError.
 void check_geometry(const Scene& scene, const TomlSource& source, std::uint64_t available_memory);
 
+/// Water that is thinner than a layer of particles. Throws InputError.
+void check_thickness(const Scene& scene, const TomlSource& source);
+
 /// Places and ranges of the probes. Throws InputError.
 void check_probes(const Scene& scene, const TomlSource& source);
 

@@ -213,6 +213,7 @@ void check_geometry(const Scene& scene, const TomlSource& source, std::uint64_t 
   for (std::size_t k = 0; k < solids.size(); ++k)
     check_solid(solids[k], solid_path(scene, source, k), scene, source);
   check_probes(scene, source);
+  check_thickness(scene, source);
   check_count(scene, source, static_cast<double>(available_memory));
   check_cells(scene, source, static_cast<double>(available_memory));
   check_overlap(scene, source);

@@ -103,6 +103,17 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   return acceleration;
 }
 
+/// Number density sum V_j W_ij at table row `row`, with the volumes of `table.source`; dimensionless.
+template <int Dim>
+inline double number_density(const ParticleSystem<Dim>& particles, std::uint32_t row,
+                             const Neighbours& near) {
+  DensitySum<Pack> sum;
+  for_neighbours<Dim>(particles, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack&) {
+    sum.add(pair, gather_rows(particles.table.source.data(), j).w);
+  });
+  return particles.alpha * horizontal_sum(sum.value);
+}
+
 /// Gradient of the number density at table row `row`, 1/m.
 template <int Dim>
 inline Vector<Dim, double> concentration_gradient(const ParticleSystem<Dim>& particles, std::uint32_t row,

@@ -1,5 +1,6 @@
 #include "scheme/particle_scheme.hpp"
 
+#include "scheme/initial_fit.hpp"
 #include "scheme/time_step.hpp"
 
 #include <algorithm>
@@ -12,18 +13,17 @@ void ParticleScheme<Dim>::initialise() {
   StageClock clock;
   clock.start(Stage::Pressure);
   ParticleSystem<Dim>& p = particles_;
-  p.sort_fluid();
-  // A step leaves the velocities in the order of its sort; so does this.
-  for (std::uint32_t i = 0; i < p.fluid; ++i) {
-    for (int d = 0; d < Dim; ++d) p.velocity[d][i] = (&p.table.velocity[p.fluid_row(i)].x)[d];
-  }
-  p.place_boundaries(time_);
-  p.find_neighbours();
+  p.find_initial_neighbours();
   find_initial_state();
   motion_.record_initial_energy(p);
   clock.stop();
   clock_.reset();
   wall_time_initial_pressure_ = clock.total();
+}
+
+template <int Dim>
+InitialFit ParticleScheme<Dim>::initial_fit() {
+  return eisph::initial_fit(particles_);
 }
 
 template <int Dim>
@@ -198,6 +198,7 @@ SimulationPlan ParticleScheme<Dim>::plan() const {
   const ParticleSystem<Dim>& p = particles_;
   SimulationPlan plan;
   plan.fluid_particles = p.initial_fluid;
+  plan.water_volume = p.volume * static_cast<double>(p.initial_fluid);
   plan.object_particles = p.solids.size();
   plan.virtual_particles = p.virtual_particles.count();
   plan.ghost_particles = p.count_ghosts();

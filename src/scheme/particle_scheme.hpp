@@ -20,6 +20,7 @@ class ParticleScheme : public Simulation {
   ParticleScheme(const Scene& scene, int threads) : particles_(scene, threads), motion_(particles_) {}
 
   [[nodiscard]] SimulationPlan plan() const final;
+  [[nodiscard]] InitialFit initial_fit() final;
   void initialise() final;
   void step(double until) final;
   void set_parameters(const RunningParameters& parameters) override;

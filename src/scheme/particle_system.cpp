@@ -1,6 +1,7 @@
 #include "scheme/particle_system.hpp"
 
 #include "core/lattice.hpp"
+#include "scheme/particle_packing.hpp"
 #include "scheme/time_step.hpp"
 
 #include <algorithm>
@@ -18,6 +19,10 @@ constexpr double kGridHeight = 1.0;
 
 template <int Dim>
 ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
+    : ParticleSystem(of, threads, packed_fluid(of, threads)) {}
+
+template <int Dim>
+ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads, const FluidLattice& sites)
     : scene(of),
       pool(threads),
       lattice(lattice_constants<Dim>(scene.kernel, scene.smoothing_ratio)),
@@ -26,7 +31,6 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
       solids(scene),
       h(scene.smoothing_length()),
       alpha(kernel_normalisation<Dim>(scene.kernel) / std::pow(h, Dim)),
-      volume(std::pow(scene.particle_spacing, Dim)),
       viscosity(total_viscosity(scene)) {
   std::array<double, Dim> cells{};
   for (int d = 0; d < Dim; ++d) {
@@ -35,17 +39,17 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads)
     extent[d] = scene.domain_max[axis] - scene.domain_min[axis];
     cells[d] = extent[d] / h;
   }
-  place_particles();
+  place_particles(sites);
   // Cells up to a little above the water at rest; the few particles that fly higher share the topmost ones.
   cells[Dim - 1] = std::min(cells[Dim - 1], kGridHeight * highest_particle() / h + kKernelSupport);
   grid = CellGrid<Dim>(cells);
 }
 
 template <int Dim>
-void ParticleSystem<Dim>::place_particles() {
-  const FluidLattice sites = fluid_lattice(scene);
+void ParticleSystem<Dim>::place_particles(const FluidLattice& sites) {
   fluid = static_cast<std::uint32_t>(sites.position.size());
   initial_fluid = fluid;
+  volume = sites.particle_volume;
   for (auto& component : position) component.resize_exactly(fluid);
   for (auto& component : velocity) component.resize_exactly(fluid);
   for (AlignedBuffer<float>* array : {&carried, &pressure, &number_density}) {
@@ -227,6 +231,23 @@ void ParticleSystem<Dim>::find_neighbours() {
   groups[3] = {table.first_image, fluid_images.start(), fluid_images.size() == 0};
   neighbours.build(grid, table, groups, pool);
   set_object_sources();
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::find_initial_neighbours() {
+  sort_fluid();
+  for (std::uint32_t i = 0; i < fluid; ++i) {
+    for (int d = 0; d < Dim; ++d) velocity[d][i] = (&table.velocity[fluid_row(i)].x)[d];
+  }
+  place_boundaries(0.0);
+  find_neighbours();
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::set_source_volumes() {
+  Float4* rows = fluid_rows(table.source);
+  std::fill_n(rows, fluid, Float4{0.0F, 0.0F, 0.0F, static_cast<float>(volume)});
+  mirror_source();
 }
 
 /// What drives the pressure at a solid is its own motion alone. Objects without water in reach take no part

@@ -4,6 +4,7 @@
 #include "boundary/mirror_planes.hpp"
 #include "boundary/solid_particles.hpp"
 #include "boundary/virtual_particles.hpp"
+#include "core/lattice.hpp"
 #include "core/scene.hpp"
 #include "core/thread_pool.hpp"
 #include "sph/lattice_constants.hpp"
@@ -23,8 +24,11 @@ namespace eisph {
 /// sort_fluid, place_boundaries and find_neighbours once in a step, and fills the rest of the table itself.
 template <int Dim>
 struct ParticleSystem {
-  /// Places the fluid of the scene. Throws InputError when there is none, or too much for the indices.
+  /// Places the fluid of the scene, packed at shapes that its lattice does not follow. Throws InputError when
+  /// there is none, or too much for the indices.
   ParticleSystem(const Scene& of, int threads);
+  /// The same with the fluid at the given places.
+  ParticleSystem(const Scene& of, int threads, const FluidLattice& sites);
 
   /// Sorts the fluid by cell, takes out what has left through open faces, and fills its rows of the table:
   /// positions with the carried scalar, velocities with the volume.
@@ -36,6 +40,10 @@ struct ParticleSystem {
   /// The solids as they stand at `time` (s), and the mirror images of fluid and solids.
   void place_boundaries(double time);
   void find_neighbours();
+  /// All three at t = 0, the velocities in the new order as a step leaves them.
+  void find_initial_neighbours();
+  /// Gives the fluid and its images no vector and their volume in `table.source`, as solids have it.
+  void set_source_volumes();
 
   /// The images' w of `table.position` from their originals.
   void mirror_pressure();
@@ -118,7 +126,7 @@ struct ParticleSystem {
   NeighbourList<Dim> neighbours;
 
  private:
-  void place_particles();
+  void place_particles(const FluidLattice& sites);
   void fill_objects();
   void set_object_sources();
 

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace eisph {
 
@@ -24,7 +26,18 @@ struct SimulationPlan {
   // of sound is that of long waves, sqrt(g H).
   std::uint64_t wet_cells = 0;  ///< at t = 0
   double cell_size = 0.0;       ///< m; zero for particles
-  double water_volume = 0.0;    ///< m^3 (m^2 in 2D) at t = 0
+  double water_volume = 0.0;    ///< m^3 (m^2 in 2D) at t = 0, of particles too
+};
+
+/// How the particles of t = 0 lie in their tank.
+struct InitialFit {
+  /// From a wall or solid that water touches to the nearest row of particles.
+  struct Gap {
+    std::string name;  ///< of the face of the domain, or of the solid in quotes
+    double spacings = 0.0;
+  };
+  std::vector<Gap> gaps;
+  double compression = 0.0;  ///< largest normalised number density less one
 };
 
 /// What may be changed while a simulation runs; a scheme heeds what it knows.
@@ -48,6 +61,8 @@ class Simulation {
   virtual ~Simulation() = default;
 
   [[nodiscard]] virtual SimulationPlan plan() const = 0;
+  /// Asked before `initialise`; of cells nothing.
+  [[nodiscard]] virtual InitialFit initial_fit() { return {}; }
   /// Finds the pressure at t = 0. Called once, before the first step.
   virtual void initialise() = 0;
   /// One time step that ends at or before `until`; the remaining time is divided into equal steps, so that

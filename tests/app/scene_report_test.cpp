@@ -150,10 +150,28 @@ TEST(SceneWarnings, TellWhenTheViscousLimitGoverns) {
   EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("viscous limit governs")));
 }
 
-TEST(SceneWarnings, TellWhenTheLatticeDoesNotFillTheWater) {
+TEST(SceneWarnings, NameWaterThinnerThanALayer) {
   Scene scene = sound_scene();
   scene.fluid[0].shape.max.z() = 0.105;
-  EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("-4.8 %")));
+  EXPECT_THAT(warnings_of(scene), IsEmpty()) << "the lattice is fitted to the depth";
+  FluidRegion cut;
+  cut.cut = true;
+  cut.shape.min = {0.05, 0.0, 0.0};
+  cut.shape.max = {0.1, 0.1, 0.102};
+  scene.fluid.push_back(cut);
+  EXPECT_THAT(
+      warnings_of(scene),
+      ElementsAre(HasSubstr("fluid.region.0 from (0.05, 0, 0.102) to (0.1, 0.1, 0.105) m is 0.003 m thin "
+                            "in z, less than a particle spacing (0.01 m): it gets 0 of its 1.5e-05 m^3")));
+}
+
+TEST(FitReport, StatesGapsAndCompression) {
+  EXPECT_THAT(fit_report({}), HasSubstr("water touches neither walls nor solids"));
+  InitialFit fit;
+  fit.gaps = {{"x_min", 0.5}, {"\"block\"", 0.4804}};
+  fit.compression = 0.0123;
+  EXPECT_THAT(fit_report(fit), HasSubstr("x_min 0.500, \"block\" 0.480 spacings"));
+  EXPECT_THAT(fit_report(fit), HasSubstr("1.2 % at t = 0"));
 }
 
 TEST(SceneReport, StatesParticlesMemoryTimeStepAndSound) {

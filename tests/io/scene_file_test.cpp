@@ -1,5 +1,6 @@
 #include "io/scene_file.hpp"
 
+#include "core/fluid_fit.hpp"
 #include "core/lattice.hpp"
 #include "io/scene_text.hpp"
 
@@ -366,6 +367,7 @@ TEST_P(ShippedSceneTest, LoadsWithItsParticlesAndComesBackFromItsResolvedText) {
   const Scene scene = load_scene(scene_folder() / (std::string(GetParam().name) + ".toml"));
   EXPECT_EQ(scene.name, GetParam().name);
   EXPECT_EQ(count_fluid_particles(scene), GetParam().fluid_particles);
+  EXPECT_TRUE(fit_fluid(scene).aligned);
   EXPECT_EQ(round_trip(scene), scene);
 }
 
