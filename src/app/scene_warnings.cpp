@@ -1,5 +1,6 @@
 #include "app/fluid_volume.hpp"
 #include "app/output_plan.hpp"
+#include "app/pairing.hpp"
 #include "app/scene_report.hpp"
 #include "scheme/time_step.hpp"
 
@@ -214,6 +215,9 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
     warn_of_courant(warnings, scene, plan);
   } else {
     warn_of_time_step(warnings, scene, plan);
+  }
+  if (auto warning = pairing_warning(scene.kernel, scene.smoothing_ratio, scene.dimension)) {
+    warnings.push_back(*std::move(warning));
   }
   warn_of_negative_pressure(warnings, scene);
   warn_of_implicit_blows(warnings, scene, plan);

@@ -59,12 +59,13 @@ NeighbourDistances neighbour_distances(const Snapshot& snapshot) {
   return result;
 }
 
-void take_worst(NeighbourDistances& worst, const NeighbourDistances& other) {
-  worst.particles = std::max(worst.particles, other.particles);
-  worst.paired_fraction = std::max(worst.paired_fraction, other.paired_fraction);
-  worst.nearest_distance_p5 = std::fmin(worst.nearest_distance_p5, other.nearest_distance_p5);
-  worst.isolated_particles = std::max(worst.isolated_particles, other.isolated_particles);
-  worst.isolated_fraction = std::max(worst.isolated_fraction, other.isolated_fraction);
+void NeighbourHistory::add(const NeighbourDistances& distances) {
+  worst.particles = std::max(worst.particles, distances.particles);
+  worst.paired_fraction = std::max(worst.paired_fraction, distances.paired_fraction);
+  worst.nearest_distance_p5 = std::fmin(worst.nearest_distance_p5, distances.nearest_distance_p5);
+  worst.isolated_particles = std::max(worst.isolated_particles, distances.isolated_particles);
+  worst.isolated_fraction = std::max(worst.isolated_fraction, distances.isolated_fraction);
+  last = distances;
 }
 
 }  // namespace eisph

@@ -31,7 +31,12 @@ struct NeighbourDistances {
 /// Finds them by a search over cells, of the order of N. Not for snapshots with columns.
 [[nodiscard]] NeighbourDistances neighbour_distances(const Snapshot& snapshot);
 
-/// Worst of several states: largest fractions and numbers, smallest distance.
-void take_worst(NeighbourDistances& worst, const NeighbourDistances& other);
+/// Those of a run: the worst of each figure (largest fractions and numbers, smallest distance) and the last.
+struct NeighbourHistory {
+  NeighbourDistances worst;
+  NeighbourDistances last;
+
+  void add(const NeighbourDistances& distances);
+};
 
 }  // namespace eisph

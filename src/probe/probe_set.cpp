@@ -79,19 +79,18 @@ void ProbeSet::record_ledger(const Snapshot& snapshot) {
 
 void ProbeSet::add_neighbour_distances(std::vector<double>& row, const Snapshot& snapshot) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (snapshot.columns || !(snapshot.time >= next_search_ - kTimeTolerance)) {
+  const double due = std::min(next_search_, scene_.end_time);
+  if (snapshot.columns || snapshot.time < due - kTimeTolerance) {
     row.insert(row.end(), 4, kNone);
     return;
   }
   const double given = scene_.output.ledger_interval;
   const double interval = given > 0.0 ? given : kSearchInterval * scene_.end_time;
-  next_search_ = interval > 0.0
-                     ? interval * (std::floor((snapshot.time + kTimeTolerance) / interval) + 1.0)
-                     : snapshot.time;
+  if (interval > 0.0) next_search_ = Schedule{{}, interval}.next_after(snapshot.time);
   const NeighbourDistances distances = neighbour_distances(snapshot);
   row.insert(row.end(), {distances.paired_fraction, distances.nearest_distance_p5,
                          static_cast<double>(distances.isolated_particles), distances.isolated_fraction});
-  take_worst(worst_distances_, distances);
+  neighbours_.add(distances);
 }
 
 double ProbeSet::next_due(double time) const {

@@ -33,7 +33,7 @@ namespace eisph {
 ///
 /// Distances of neighbours, which take as long as all else of the ledger several times over, are found in the
 /// rows at multiples of scene.output.ledger_interval, without one in rows at least a hundredth of the scene's
-/// time apart; the other rows have no values there, nor do those of a model without particles.
+/// time apart, and at its end; the other rows have no values there, nor do those of a model without particles.
 class ProbeSet {
  public:
   /// The sink must outlive the probes.
@@ -46,8 +46,8 @@ class ProbeSet {
   /// The first time after `time` (s) at which a snapshot is needed, infinity if there is none.
   [[nodiscard]] double next_due(double time) const;
 
-  /// Worst of the distances of neighbours recorded so far.
-  [[nodiscard]] const NeighbourDistances& worst_distances() const { return worst_distances_; }
+  /// Distances of neighbours recorded so far.
+  [[nodiscard]] const NeighbourHistory& neighbours() const { return neighbours_; }
 
  private:
   void record_ledger(const Snapshot& snapshot);
@@ -61,7 +61,7 @@ class ProbeSet {
   std::size_t ledger_table_ = 0;
   double last_time_ = -std::numeric_limits<double>::infinity();
   double next_search_ = 0.0;  ///< s
-  NeighbourDistances worst_distances_;
+  NeighbourHistory neighbours_;
 };
 
 }  // namespace eisph
