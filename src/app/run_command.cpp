@@ -27,11 +27,11 @@ double end_time_of(const Scene& scene, const RunOptions& options) {
 template <class Row>
 void print_neighbours(const RunSummary& summary, const Row& row) {
   if (std::isnan(summary.paired_fraction_max)) return;
-  row("within 0.6 dx", fmt::format("{:.2f} % of the particles at most, {:.2f} % at the end",
-                                   100.0 * summary.paired_fraction_max, 100.0 * summary.paired_fraction_final));
-  row("nearest distance",
-      fmt::format("5th percentile {:.3f} dx at least, {:.3f} dx at the end", summary.nearest_distance_p5_min,
-                  summary.nearest_distance_p5_final));
+  row("within 0.6 dx",
+      fmt::format("{:.2f} % of the particles at most, {:.2f} % at the end",
+                  100.0 * summary.paired_fraction_max, 100.0 * summary.paired_fraction_final));
+  row("nearest distance", fmt::format("5th percentile {:.3f} dx at least, {:.3f} dx at the end",
+                                      summary.nearest_distance_p5_min, summary.nearest_distance_p5_final));
   row("isolated spray", fmt::format("{} particles at most, {} at the end", summary.isolated_particles_max,
                                     summary.isolated_particles_final));
 }

@@ -81,8 +81,8 @@ struct Gauge {
   std::string name;
   double x = 0.0;
   double y = 0.0;
-  double size = 0.0;      ///< m, default 1.5 particle spacings
-  double height = 0.0;    ///< m, top of the column above the floor; 0: the domain's height
+  double size = 0.0;    ///< m, default 1.5 particle spacings
+  double height = 0.0;  ///< m, top of the column above the floor; 0: the domain's height
   bool ignore_spray = true;
   double interval = 0.0;  ///< s
 

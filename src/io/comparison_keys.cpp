@@ -169,9 +169,10 @@ KeyTable<DeviationSettings> deviation_keys() {
       "depth_rule", &DeviationSettings::depth_rule,
       {{"highest_particle", DepthRule::HighestParticle}, {"surface", DepthRule::Surface}},
       "Depth of the simulation in a cell: the height of its highest particle, or the free surface.");
-  keys.boolean("ignore_spray", &DeviationSettings::ignore_spray,
-               "Leave spray, particles in the air with a number density below 0.5, out of the depth of the "
-               "simulation; false: every particle counts (thesis). Saved depth grids are as their run made them.");
+  keys.boolean(
+      "ignore_spray", &DeviationSettings::ignore_spray,
+      "Leave spray, particles in the air with a number density below 0.5, out of the depth of the "
+      "simulation; false: every particle counts (thesis). Saved depth grids are as their run made them.");
   keys.number("dry_depth", "m", &DeviationSettings::dry_depth, at_least(0.0),
               "Shallower cells are not wetted.");
   keys.boolean("treat_as_dry", &DeviationSettings::treat_as_dry,

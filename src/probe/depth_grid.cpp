@@ -34,10 +34,7 @@ std::optional<std::size_t> cell_of(double offset, double length, double cell_siz
 }  // namespace
 
 DepthGridBuilder::DepthGridBuilder(const Scene& scene)
-    : scene_(scene),
-      lower_(scene.domain_min),
-      upper_(scene.domain_max),
-      one_row_(scene.dimension == 2) {
+    : scene_(scene), lower_(scene.domain_min), upper_(scene.domain_max), one_row_(scene.dimension == 2) {
   const double given = scene.output.depth_cell_size;
   const double cell_size = given != 0.0 ? given : 1.5 * scene.particle_spacing;
   const double columns = cells_over(upper_.x() - lower_.x(), cell_size);

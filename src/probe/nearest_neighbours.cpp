@@ -14,7 +14,8 @@ namespace {
 /// particles but those at the surface and in spray are searched for again.
 constexpr double kFirstReach = 1.1;
 
-/// Square of the distance from particle k to the nearest other in the box about it, m^2; infinite without one.
+/// Square of the distance from particle k to the nearest other in the box about it, m^2; infinite without
+/// one.
 double nearest_squared(const FluidCells& cells, std::size_t k, const Vec3f& at, double reach, bool flat) {
   double least = std::numeric_limits<double>::infinity();
   const Vec3d centre = at.cast<double>();

@@ -29,9 +29,9 @@ std::vector<TableColumn> ledger_columns(int dimension) {
                                    {"kinetic_energy", energy},
                                    {"potential_energy", energy}};
   add_vector_columns(columns, "momentum", per_metre ? "kg/s" : "kg m/s", dimension);
-  for (const char* name : {"compression_max", "compression_p95", "penetrations", "lost_particles",
-                           "paired_fraction", "nearest_distance_p5", "isolated_particles",
-                           "isolated_fraction"}) {
+  for (const char* name :
+       {"compression_max", "compression_p95", "penetrations", "lost_particles", "paired_fraction",
+        "nearest_distance_p5", "isolated_particles", "isolated_fraction"}) {
     columns.push_back({name, "-"});
   }
   return columns;

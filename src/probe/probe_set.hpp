@@ -33,7 +33,8 @@ namespace eisph {
 ///
 /// Distances of neighbours, which take as long as all else of the ledger several times over, are found in the
 /// rows at multiples of scene.output.ledger_interval, without one in rows at least a hundredth of the scene's
-/// time apart, and at its end; the other rows have no values there, nor do those of a model without particles.
+/// time apart, and at its end; the other rows have no values there, nor do those of a model without
+/// particles.
 class ProbeSet {
  public:
   /// The sink must outlive the probes.

@@ -106,7 +106,8 @@ TEST_F(ComparisonFile, SprayIsIgnoredUnlessItIsToCount) {
 }
 
 TEST_F(ComparisonFile, WhatIsWrittenReadsBackTheSame) {
-  Comparison comparison = load(kText, {"calibration.tolerance=4", "synthetic=true", "deviation.ignore_spray=false"});
+  Comparison comparison =
+      load(kText, {"calibration.tolerance=4", "synthetic=true", "deviation.ignore_spray=false"});
   Comparison again = load(comparison_toml(comparison));
   EXPECT_EQ(again, comparison);
 }

@@ -42,9 +42,11 @@ TEST(RunJson, HasTheFieldsOfTheSummaryAndTheCircumstancesAtItsTopLevel) {
           "pressure_iterations_mean", "cpu_time_total", "stage_ns_per_particle_step",
           "state_bytes_per_particle", "state_bytes_by_array", "peak_rss_bytes", "penetrations",
           "lost_particles", "outflow_particles", "outflow_volume", "compression_max", "compression_p95",
-          "paired_fraction_max", "paired_fraction_final", "nearest_distance_p5_min", "nearest_distance_p5_final", "isolated_particles_max", "isolated_particles_final", "isolated_fraction_max", "isolated_fraction_final",
-          "energy_initial", "energy_final", "energy_gain_max", "mass_error", "frames_written",
-          "frames_dropped", "frames_drawn_by", "version", "build", "host", "started", "finished"));
+          "paired_fraction_max", "paired_fraction_final", "nearest_distance_p5_min",
+          "nearest_distance_p5_final", "isolated_particles_max", "isolated_particles_final",
+          "isolated_fraction_max", "isolated_fraction_final", "energy_initial", "energy_final",
+          "energy_gain_max", "mass_error", "frames_written", "frames_dropped", "frames_drawn_by", "version",
+          "build", "host", "started", "finished"));
 }
 
 TEST(RunJson, GivesEachFieldItsOwnValue) {

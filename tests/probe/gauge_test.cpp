@@ -57,7 +57,8 @@ TEST(WaterLevel, LeavesOutSprayAboveTheColumn) {
 
 TEST(WaterLevel, IgnoresLooseDropsUnlessTheyAreToCount) {
   const Scene scene = hand_made_scene(3);
-  Snapshot snapshot = hand_made_snapshot(scene, {{0.5F, 0.2F, 0.2F}, {0.5F, 0.2F, 0.4F}, {0.8F, 0.2F, 0.11F}});
+  Snapshot snapshot =
+      hand_made_snapshot(scene, {{0.5F, 0.2F, 0.2F}, {0.5F, 0.2F, 0.4F}, {0.8F, 0.2F, 0.11F}});
   snapshot.number_density = {0.8F, 0.14F, 0.2F};
   Gauge gauge = gauge_at(0.5, 0.2, 0.1);
   EXPECT_NEAR(water_level(gauge, scene, snapshot), 0.1, 1e-7);

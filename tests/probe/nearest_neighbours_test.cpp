@@ -58,8 +58,8 @@ class NearestNeighboursTest : public testing::TestWithParam<int> {
   [[nodiscard]] NeighbourDistances distances_of(const std::vector<Vec3f>& positions) const {
     return neighbour_distances(hand_made_snapshot(scene_, positions));
   }
-  /// Particles at random in a box of `sides` (dx) about the middle of the tank. In 2D their y differ, which is
-  /// not to count.
+  /// Particles at random in a box of `sides` (dx) about the middle of the tank. In 2D their y differ, which
+  /// is not to count.
   [[nodiscard]] std::vector<Vec3f> random_cloud(std::size_t count, double sides, unsigned seed) const {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-0.5 * sides, 0.5 * sides);
@@ -78,7 +78,7 @@ TEST_P(NearestNeighboursTest, AgreeWithAllPairsFromDenseToScattered) {
   for (const double sides : {6.0, 10.0, 20.0, 60.0, 2000.0}) {
     std::vector<Vec3f> positions = random_cloud(400, sides, static_cast<unsigned>(sides));
     for (std::size_t k = 0; k < 8; ++k) positions.push_back(positions[7 * k]);  // at the same place
-    positions.emplace_back(50.0F, 0.25F, 40.0F);                               // far from all others
+    positions.emplace_back(50.0F, 0.25F, 40.0F);                                // far from all others
     const Snapshot snapshot = hand_made_snapshot(scene_, positions);
     const NeighbourDistances expected = by_brute_force(snapshot);
     expect_equal(neighbour_distances(snapshot), expected);
@@ -109,7 +109,8 @@ TEST_P(NearestNeighboursTest, OfALatticeAreOneSpacingAway) {
 }
 
 TEST_P(NearestNeighboursTest, CountParticlesAtTheSamePlaceAsPairs) {
-  const NeighbourDistances distances = distances_of({{0.5F, 0.1F, 0.2F}, {0.5F, 0.1F, 0.2F}, {0.7F, 0.1F, 0.2F}});
+  const NeighbourDistances distances =
+      distances_of({{0.5F, 0.1F, 0.2F}, {0.5F, 0.1F, 0.2F}, {0.7F, 0.1F, 0.2F}});
   EXPECT_DOUBLE_EQ(distances.paired_fraction, 2.0 / 3.0);
   EXPECT_EQ(distances.nearest_distance_p5, 0.0);
   EXPECT_EQ(distances.isolated_particles, 1U);

@@ -76,13 +76,13 @@ TEST(ProbeSet, NamesTablesAndColumnsWithUnits) {
   EXPECT_THAT(tables.columns("probe_bed"), ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]",
                                                        "velocity_y [m/s]", "velocity_z [m/s]"));
   EXPECT_THAT(tables.columns("leading_edge"), ElementsAre("time [s]", "front [m]", "bulk_front [m]"));
-  EXPECT_THAT(tables.columns("ledger"),
-              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "volume [m^3]",
-                          "kinetic_energy [J]", "potential_energy [J]", "momentum_x [kg m/s]",
-                          "momentum_y [kg m/s]", "momentum_z [kg m/s]", "compression_max [-]",
-                          "compression_p95 [-]", "penetrations [-]", "lost_particles [-]",
-                          "paired_fraction [-]", "nearest_distance_p5 [-]", "isolated_particles [-]",
-                          "isolated_fraction [-]"));
+  EXPECT_THAT(
+      tables.columns("ledger"),
+      ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "volume [m^3]",
+                  "kinetic_energy [J]", "potential_energy [J]", "momentum_x [kg m/s]", "momentum_y [kg m/s]",
+                  "momentum_z [kg m/s]", "compression_max [-]", "compression_p95 [-]", "penetrations [-]",
+                  "lost_particles [-]", "paired_fraction [-]", "nearest_distance_p5 [-]",
+                  "isolated_particles [-]", "isolated_fraction [-]"));
 }
 
 TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
@@ -90,13 +90,12 @@ TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
   const ProbeSet probes(scene_with_probes(2), tables);
   EXPECT_THAT(tables.columns("probe_bed"),
               ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]", "velocity_z [m/s]"));
-  EXPECT_THAT(
-      tables.columns("ledger"),
-      ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]", "volume [m^2]",
-                  "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]", "momentum_z [kg/s]",
-                  "compression_max [-]", "compression_p95 [-]", "penetrations [-]", "lost_particles [-]",
-                  "paired_fraction [-]", "nearest_distance_p5 [-]", "isolated_particles [-]",
-                  "isolated_fraction [-]"));
+  EXPECT_THAT(tables.columns("ledger"),
+              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]", "volume [m^2]",
+                          "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]",
+                          "momentum_z [kg/s]", "compression_max [-]", "compression_p95 [-]",
+                          "penetrations [-]", "lost_particles [-]", "paired_fraction [-]",
+                          "nearest_distance_p5 [-]", "isolated_particles [-]", "isolated_fraction [-]"));
 }
 
 TEST(ProbeSet, RecordsEachProbeAtItsOwnTimesAndTheLedgerAlways) {
@@ -189,10 +188,9 @@ TEST(ProbeSet, WritesTheLedgerOfTheSnapshot) {
   snapshot.penetrations = 3;
   snapshot.lost_particles = 1;
   probes.record(snapshot);
-  EXPECT_THAT(tables.rows("ledger"),
-              ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, DoubleNear(0.0016, 1e-12), 10.0,
-                                      DoubleNear(0.0, 1e-6), 6.0, -2.0, 0.25, 0.25, 3.0, 1.0, 0.0, 2.0,
-                                      1.0, 1.0)));
+  EXPECT_THAT(tables.rows("ledger"), ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, DoubleNear(0.0016, 1e-12),
+                                                             10.0, DoubleNear(0.0, 1e-6), 6.0, -2.0, 0.25,
+                                                             0.25, 3.0, 1.0, 0.0, 2.0, 1.0, 1.0)));
 }
 
 /// Times of the rows of the ledger that tell the distances of neighbours.

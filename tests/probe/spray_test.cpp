@@ -59,8 +59,8 @@ class SprayOfSmoothing : public testing::TestWithParam<std::tuple<Smoothing, int
   /// Whether a particle of that density is spray at a height (m) above the floor of the tank.
   [[nodiscard]] bool is_spray(double density, double height) const {
     const Scene scene = hand_made_scene(dimension());
-    Snapshot snapshot = hand_made_snapshot(
-        scene, {Vec3f(0.5F, 0.0F, static_cast<float>(scene.domain_min.z() + height))});
+    Snapshot snapshot =
+        hand_made_snapshot(scene, {Vec3f(0.5F, 0.0F, static_cast<float>(scene.domain_min.z() + height))});
     snapshot.number_density[0] = static_cast<float>(density);
     return SprayRule(scene, 0.0).is_spray(snapshot, 0);
   }
