@@ -250,7 +250,7 @@ struct OutputSettings {
   double ledger_interval = 0.0;  ///< s, of the leading edge and the ledger; 0: at the times of other outputs
   double depth_cell_size = 0.0;  ///< m, default 1.5 dx
   DepthRule depth_rule = DepthRule::HighestParticle;
-  bool ignore_spray = true;        ///< in depth grids and depth maps
+  bool ignore_spray = true;        ///< by the rule HighestParticle
   bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
   int queue_length = 2;
 

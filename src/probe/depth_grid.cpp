@@ -60,18 +60,17 @@ DepthGrid DepthGridBuilder::build(const Snapshot& snapshot) const {
     resample_levels(*snapshot.columns, grid);
     return grid;
   }
-  std::optional<SprayRule> spray;
-  if (scene_.output.ignore_spray) spray.emplace(scene_, snapshot.time);
   if (surface_) {
-    surface_->fill(snapshot, spray ? &*spray : nullptr, grid);
+    surface_->fill(snapshot, grid);
   } else {
-    fill_with_highest(snapshot, spray ? &*spray : nullptr, grid);
+    fill_with_highest(snapshot, grid);
   }
   return grid;
 }
 
-void DepthGridBuilder::fill_with_highest(const Snapshot& snapshot, const SprayRule* spray,
-                                         DepthGrid& grid) const {
+void DepthGridBuilder::fill_with_highest(const Snapshot& snapshot, DepthGrid& grid) const {
+  std::optional<SprayRule> spray;
+  if (scene_.output.ignore_spray) spray.emplace(scene_, snapshot.time);
   const Vec3d length = upper_ - lower_;
   for (std::size_t k = 0; k < snapshot.size(); ++k) {
     const Vec3d offset = snapshot.position[k].cast<double>() - lower_;
@@ -81,7 +80,7 @@ void DepthGridBuilder::fill_with_highest(const Snapshot& snapshot, const SprayRu
     if (!column || !row) continue;
     float& depth = grid.depth[*row * grid.columns + *column];
     const auto height = static_cast<float>(offset.z());
-    if (height > depth && !(spray != nullptr && spray->is_spray(snapshot, k))) depth = height;
+    if (height > depth && !(spray && spray->is_spray(snapshot, k))) depth = height;
   }
 }
 

@@ -187,7 +187,7 @@ void SurfaceDepth::fill_around_solids(const std::vector<Prism>& prisms, const st
   }
 }
 
-void SurfaceDepth::fill(const Snapshot& snapshot, const SprayRule* spray, DepthGrid& grid) const {
+void SurfaceDepth::fill(const Snapshot& snapshot, DepthGrid& grid) const {
   std::vector<double> volume(grid.depth.size(), 0.0);
   const std::vector<Prism> prisms = standing_prisms(snapshot.time);
   // Height of the solid under the centre of a cell, unless there is room for water below that.
@@ -198,9 +198,7 @@ void SurfaceDepth::fill(const Snapshot& snapshot, const SprayRule* spray, DepthG
   }
   const double slack = 1e-3 * dx_;  // single precision may put a particle on a wall a little beyond it
   const double particle = snapshot.particle_mass / snapshot.reference_density;
-  for (std::size_t k = 0; k < snapshot.size(); ++k) {
-    if (spray != nullptr && spray->is_spray(snapshot, k)) continue;
-    const Vec3f& position = snapshot.position[k];
+  for (const Vec3f& position : snapshot.position) {
     const Vec3d offset = position.cast<double>() - lower_;
     if (!(offset.z() >= -slack) || !(offset.x() >= -slack) || !(position.x() <= upper_.x() + slack)) continue;
     if (dimension_ == 3 && (!(offset.y() >= -slack) || !(position.y() <= upper_.y() + slack))) continue;

@@ -3,7 +3,6 @@
 #include "core/depth_grid.hpp"
 #include "core/scene.hpp"
 #include "core/snapshot.hpp"
-#include "probe/spray.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,14 +24,14 @@ namespace eisph {
 /// corners and faces of solids that follow the lattice; along other faces the steps of the lattice show. With
 /// all particles displaced by up to a tenth of a spacing it is good to 5 % of a depth of ten spacings. A
 /// layer that thins out keeps its mean depth: there are no holes until particles are 4 spacings apart. Drops
-/// count, if at all, by their volume, not their height. Spheres are taken as a stack of discs.
+/// count by their volume, not their height. Spheres are taken as a stack of discs.
 class SurfaceDepth {
  public:
   /// `grid` tells the cells.
   SurfaceDepth(const Scene& scene, const DepthGrid& grid);
 
-  /// Sets grid.depth; `spray` (may be null) tells particles that do not count.
-  void fill(const Snapshot& snapshot, const SprayRule* spray, DepthGrid& grid) const;
+  /// Sets grid.depth.
+  void fill(const Snapshot& snapshot, DepthGrid& grid) const;
 
  private:
   /// A solid between two heights: an upright prism.
