@@ -79,8 +79,8 @@ void ProbeSet::record_ledger(const Snapshot& snapshot) {
 
 void ProbeSet::add_neighbour_distances(std::vector<double>& row, const Snapshot& snapshot) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const double due = std::min(next_search_, scene_.end_time);
-  if (snapshot.columns || snapshot.time < due - kTimeTolerance) {
+  const bool at_end = std::abs(snapshot.time - scene_.end_time) <= kTimeTolerance;
+  if (snapshot.columns || (snapshot.time < next_search_ - kTimeTolerance && !at_end)) {
     row.insert(row.end(), 4, kNone);
     return;
   }
