@@ -16,17 +16,16 @@ struct PairingLimit {
 ///   h / dx        1.1    1.2     1.32     1.5      1.7
 ///   cubic spline  1 / 4  7 / 19  85 / 62  94 / -
 ///   Wendland C2          0 / 1   2 / 2    14 / 14  23 / 22
-///   Wendland C4                           4 / -
 PairingLimit pairing_limit(KernelKind kernel) {
   switch (kernel) {
     case KernelKind::CubicSpline:
       return {"cubic spline", 1.15};
-    case KernelKind::WendlandC4:
-      return {"Wendland C4 kernel", 1.4};
     case KernelKind::WendlandC2:
+      return {"Wendland C2 kernel", 1.4};
+    case KernelKind::QuinticSpline:
       break;
   }
-  return {"Wendland C2 kernel", 1.4};
+  return {"quintic spline", 1.5};
 }
 
 }  // namespace

@@ -265,7 +265,7 @@ struct Scene {
   int dimension = 3;
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m
-  double smoothing_ratio = 1.4;  ///< h / dx
+  double smoothing_ratio = 1.4;   ///< h / dx
   KernelKind kernel = KernelKind::QuinticSpline;
 
   double density = 1000.0;             ///< kg/m^3

@@ -211,8 +211,8 @@ KeyTable<Gauge> gauge_keys() {
       .fallback("the height of the domain");
   keys.boolean(
       "ignore_spray", &Gauge::ignore_spray,
-      "Leave spray, particles in the air with a number density below 0.5, out of the level; false: the "
-      "highest particle, whatever it is (thesis).");
+      "Leave spray, particles in the air with a number density below that of an edge of water, out of the "
+      "level; false: the highest particle, whatever it is (thesis).");
   keys.number("interval", "s", &Gauge::interval, above(0.0), "Time between records.").fallback("0.01");
   return keys;
 }
@@ -244,8 +244,8 @@ KeyTable<OutputSettings> output_keys() {
       "Depth of a cell: height of the highest particle in it (thesis), or a smooth level without holes.");
   keys.boolean(
       "ignore_spray", &OutputSettings::ignore_spray,
-      "The highest particle is one that is no spray: not in the air with a number density below 0.5; "
-      "false: of all particles (thesis). The smooth level counts spray by its volume.");
+      "The highest particle is one that is no spray: not in the air with a number density below that of an "
+      "edge of water; false: of all particles (thesis). The smooth level counts spray by its volume.");
   keys.choice<bool>(
       "frames", &OutputSettings::latest_frame_only, {{"every", false}, {"latest", true}},
       "Draw every frame, the run waiting if need be, or drop those that the renderer is too slow for.");
