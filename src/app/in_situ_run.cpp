@@ -18,19 +18,21 @@ namespace eisph {
 namespace {
 
 PipelineStages make_stages(const Scene& scene, const RunFiles& files, const OutputPlan& plan,
-                           const InSituSettings& settings, std::string& frames_drawn_by) {
+                           const InSituSettings& settings, std::string& frames_drawn_by,
+                           NeighbourHistory& neighbours) {
   PipelineStages stages;
   std::shared_ptr<GaugeHistory> history;
   if (plan.has_frames() && draws_gauges(scene)) history = std::make_shared<GaugeHistory>(scene);
   if (plan.has_records() || plan.has_frames()) {
-    stages.make_write = [&scene, &files, &settings, history] {
+    stages.make_write = [&scene, &files, &settings, &neighbours, history] {
       // However this thread ends, the one that draws does not wait for more.
       const std::shared_ptr<void> closing(nullptr, [history](void*) {
         if (history) history->close();
       });
       auto stage = std::make_shared<RecordStage>(scene, files, history.get());
-      return [stage, &settings, closing](const Publication& publication) {
+      return [stage, &settings, &neighbours, closing](const Publication& publication) {
         stage->write(publication);
+        neighbours = stage->neighbours();
         if (publication.due.comparison && settings.compare) settings.compare(*publication.snapshot);
       };
     };
@@ -95,6 +97,18 @@ LoopHooks make_hooks(const Simulation& simulation, Pipeline& pipeline, ProgressR
   return {publish, after_step, stop_requested};
 }
 
+void put_neighbours(RunSummary& summary, const NeighbourHistory& neighbours) {
+  if (neighbours.worst.particles == 0) return;
+  summary.paired_fraction_max = neighbours.worst.paired_fraction;
+  summary.paired_fraction_final = neighbours.last.paired_fraction;
+  summary.nearest_distance_p5_min = neighbours.worst.nearest_distance_p5;
+  summary.nearest_distance_p5_final = neighbours.last.nearest_distance_p5;
+  summary.isolated_particles_max = neighbours.worst.isolated_particles;
+  summary.isolated_particles_final = neighbours.last.isolated_particles;
+  summary.isolated_fraction_max = neighbours.worst.isolated_fraction;
+  summary.isolated_fraction_final = neighbours.last.isolated_fraction;
+}
+
 /// What the run itself adds to the figures of the solver.
 void complete_summary(RunSummary& summary, const Scene& scene, const Pipeline& pipeline) {
   summary.scene = scene.name;
@@ -112,8 +126,10 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
                        const std::function<bool()>& stop_requested) {
   const OutputPlan plan(scene, settings.frames);
   const QueuePolicy policy = scene.output.latest_frame_only ? QueuePolicy::LatestOnly : QueuePolicy::KeepAll;
-  std::string frames_drawn_by;  // by the thread that draws, until the pipeline has finished
-  Pipeline pipeline(make_stages(scene, files, plan, settings, frames_drawn_by),
+  // Set by the threads that draw and write, until the pipeline has finished.
+  std::string frames_drawn_by;
+  NeighbourHistory neighbours;
+  Pipeline pipeline(make_stages(scene, files, plan, settings, frames_drawn_by, neighbours),
                     static_cast<std::size_t>(scene.output.queue_length), policy);
 
   std::string status = "finished";
@@ -137,6 +153,7 @@ RunSummary run_in_situ(Simulation& simulation, const Scene& scene, const RunFile
   summary.status = status;
   summary.message = message;
   summary.frames_drawn_by = frames_drawn_by;
+  put_neighbours(summary, neighbours);
   complete_summary(summary, scene, pipeline);
   return summary;
 }

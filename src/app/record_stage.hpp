@@ -24,6 +24,9 @@ class RecordStage {
 
   void write(const Publication& publication);
 
+  /// Distances of neighbours in the ledger so far.
+  [[nodiscard]] const NeighbourHistory& neighbours() const { return probes_.neighbours(); }
+
  private:
   void write_state(const Snapshot& snapshot);
   void write_object_state(const Snapshot& snapshot);

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "io/scene_file.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -21,6 +22,18 @@ double end_time_of(const Scene& scene, const RunOptions& options) {
   throw InputError(
       fmt::format("--until {}: the time has to be above 0 and at most the scene's end time, {} s",
                   *options.until, scene.end_time));
+}
+
+template <class Row>
+void print_neighbours(const RunSummary& summary, const Row& row) {
+  if (std::isnan(summary.paired_fraction_max)) return;
+  row("within 0.6 dx",
+      fmt::format("{:.2f} % of the particles at most, {:.2f} % at the end",
+                  100.0 * summary.paired_fraction_max, 100.0 * summary.paired_fraction_final));
+  row("nearest distance", fmt::format("5th percentile {:.3f} dx at least, {:.3f} dx at the end",
+                                      summary.nearest_distance_p5_min, summary.nearest_distance_p5_final));
+  row("isolated spray", fmt::format("{} particles at most, {} at the end", summary.isolated_particles_max,
+                                    summary.isolated_particles_final));
 }
 
 void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles& files) {
@@ -48,6 +61,7 @@ void print_summary(std::ostream& out, const RunSummary& summary, const RunFiles&
   } else {
     row("largest compression", fmt::format("{:.2f} %, 95th percentile {:.2f} %",
                                            100.0 * summary.compression_max, 100.0 * summary.compression_p95));
+    print_neighbours(summary, row);
     row("penetrations, lost", fmt::format("{}, {}", summary.penetrations, summary.lost_particles));
   }
   row("peak memory", fmt::format("{:.0f} MB", static_cast<double>(summary.peak_rss_bytes) / 1e6));

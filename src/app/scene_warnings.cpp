@@ -1,4 +1,5 @@
 #include "app/output_plan.hpp"
+#include "app/pairing.hpp"
 #include "app/scene_report.hpp"
 #include "core/fluid_fit.hpp"
 #include "core/water_volume.hpp"
@@ -238,6 +239,9 @@ std::vector<std::string> scene_warnings(const Scene& scene, const SimulationPlan
     warn_of_courant(warnings, scene, plan);
   } else {
     warn_of_time_step(warnings, scene, plan);
+  }
+  if (auto warning = pairing_warning(scene.kernel, scene.smoothing_ratio, scene.dimension)) {
+    warnings.push_back(*std::move(warning));
   }
   warn_of_negative_pressure(warnings, scene);
   warn_of_implicit_blows(warnings, scene, plan);

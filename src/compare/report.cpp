@@ -34,6 +34,8 @@ std::vector<Metric> run_metrics(const RunFigures& run) {
       {.name = "particles lost", .value = count(run.lost_particles)},
       {.name = "largest compression", .value = 100.0 * run.compression_max, .unit = "%"},
       {.name = "95th percentile of the compression", .value = 100.0 * run.compression_p95, .unit = "%"},
+      {.name = "particles within 0.6 dx", .value = 100.0 * run.paired_fraction, .unit = "%"},
+      {.name = "isolated particles", .value = 100.0 * run.isolated_fraction, .unit = "%"},
       {.name = "energy gain", .value = 100.0 * run.energy_gain, .unit = "% of the initial energy"}};
 }
 

@@ -45,6 +45,8 @@ struct RunFigures {
   std::uint64_t lost_particles = 0;
   double compression_max = 0.0;  ///< largest number density - 1
   double compression_p95 = 0.0;
+  double paired_fraction = 0.0;    ///< of the particles, with another within 0.6 spacings; largest
+  double isolated_fraction = 0.0;  ///< of the particles, without another within 2 spacings; largest
   double energy_gain =
       0.0;  ///< largest rise above the lowest energy before it, divided by the initial energy
 };
@@ -116,7 +118,7 @@ void write_report_html(const std::filesystem::path& path, const Report& report,
 ///                 "tables": [{"caption", "columns": [text], "rows": [[text]]}],
 ///                 "run": {"wall_clock", "particle_steps_per_second", "peak_memory_bytes", "steps",
 ///                         "particles", "penetrations", "lost_particles", "compression_max",
-///                         "compression_p95", "energy_gain"},
+///                         "compression_p95", "paired_fraction", "isolated_fraction", "energy_gain"},
 ///                 "notes": [text]}]}
 ///
 /// A value that is no number and a limit that is absent are null. Throws std::runtime_error if the file

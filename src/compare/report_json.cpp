@@ -38,6 +38,8 @@ Json run_json(const RunFigures& run) {
           {"lost_particles", run.lost_particles},
           {"compression_max", run.compression_max},
           {"compression_p95", run.compression_p95},
+          {"paired_fraction", run.paired_fraction},
+          {"isolated_fraction", run.isolated_fraction},
           {"energy_gain", run.energy_gain}};
 }
 
@@ -89,6 +91,9 @@ RunFigures run_of(const Json& json) {
   json.at("lost_particles").get_to(run.lost_particles);
   run.compression_max = number(json.at("compression_max"));
   run.compression_p95 = number(json.at("compression_p95"));
+  // Reports of earlier versions lack them.
+  run.paired_fraction = number(json.value("paired_fraction", Json()));
+  run.isolated_fraction = number(json.value("isolated_fraction", Json()));
   run.energy_gain = number(json.at("energy_gain"));
   return run;
 }

@@ -95,6 +95,7 @@ struct RimSettings {
 struct DeviationSettings {
   double cell_size = 0.0;  ///< m; 0: 1.5 particle spacings of the run, or the cells of its depth grids
   DepthRule depth_rule = DepthRule::HighestParticle;
+  bool ignore_spray = true;   ///< by the rule HighestParticle
   double dry_depth = 0.005;   ///< m
   bool treat_as_dry = false;  ///< depths below dry_depth count as zero on both sides
   int classes = 60;

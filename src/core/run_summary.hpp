@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -8,6 +9,8 @@ namespace eisph {
 
 /// Figures of a finished (or stopped) run: the top level of run.json, by the same names.
 struct RunSummary {
+  static constexpr double kNotFound = std::numeric_limits<double>::quiet_NaN();
+
   std::string scene;
   std::string scheme = "eisph";     ///< of "shallow_water" the particles are cells
   std::string status = "finished";  ///< finished, interrupted or blown_up
@@ -37,7 +40,17 @@ struct RunSummary {
   double outflow_volume = 0.0;          ///< m^3 (m^2 in 2D), likewise, of shallow water
   double compression_max = 0.0;         ///< largest number density - 1 over the run
   double compression_p95 = 0.0;         ///< 95th percentile over the fluid, largest over the run
-  double energy_initial = 0.0;          ///< J (J/m in 2D), potential + kinetic
+  // Distances of neighbours in the ledger: largest or smallest over the run, and in its last row that has
+  // them; not-a-number where none has, as of shallow water.
+  double paired_fraction_max = kNotFound;  ///< of the fluid particles, with another within 0.6 spacings
+  double paired_fraction_final = kNotFound;
+  double nearest_distance_p5_min = kNotFound;  ///< 5th percentile of the nearest distance over the spacing
+  double nearest_distance_p5_final = kNotFound;
+  std::uint64_t isolated_particles_max = 0;  ///< without another within 2 spacings
+  std::uint64_t isolated_particles_final = 0;
+  double isolated_fraction_max = kNotFound;  ///< the same over all fluid particles
+  double isolated_fraction_final = kNotFound;
+  double energy_initial = 0.0;  ///< J (J/m in 2D), potential + kinetic
   double energy_final = 0.0;
   double energy_gain_max = 0.0;  ///< largest rise above the lowest energy before it
   double mass_error = 0.0;       ///< (final + outflow - initial) / initial

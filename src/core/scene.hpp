@@ -75,14 +75,15 @@ struct Gate {
   bool operator==(const Gate&) const = default;
 };
 
-/// Water level at (x, y): the highest particle in a square column of side `size` (thesis section 4.2.1), and
-/// the smoothed free surface on the axis.
+/// Water level at (x, y): the highest particle in a square column of side `size` (thesis section 4.2.1, where
+/// spray counted too), and the smoothed free surface on the axis.
 struct Gauge {
   std::string name;
   double x = 0.0;
   double y = 0.0;
-  double size = 0.0;      ///< m, default 1.5 particle spacings
-  double height = 0.0;    ///< m, top of the column above the floor; 0: the domain's height
+  double size = 0.0;    ///< m, default 1.5 particle spacings
+  double height = 0.0;  ///< m, top of the column above the floor; 0: the domain's height
+  bool ignore_spray = true;
   double interval = 0.0;  ///< s
 
   bool operator==(const Gauge&) const = default;
@@ -249,6 +250,7 @@ struct OutputSettings {
   double ledger_interval = 0.0;  ///< s, of the leading edge and the ledger; 0: at the times of other outputs
   double depth_cell_size = 0.0;  ///< m, default 1.5 dx
   DepthRule depth_rule = DepthRule::HighestParticle;
+  bool ignore_spray = true;        ///< by the rule HighestParticle
   bool latest_frame_only = false;  ///< frames: drop what the renderer is too slow for, instead of waiting
   int queue_length = 2;
 
@@ -263,7 +265,7 @@ struct Scene {
   int dimension = 3;
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m
-  double smoothing_ratio = 1.4;  ///< h / dx
+  double smoothing_ratio = 1.4;   ///< h / dx
   KernelKind kernel = KernelKind::QuinticSpline;
 
   double density = 1000.0;             ///< kg/m^3

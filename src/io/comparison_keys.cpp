@@ -169,6 +169,10 @@ KeyTable<DeviationSettings> deviation_keys() {
       "depth_rule", &DeviationSettings::depth_rule,
       {{"highest_particle", DepthRule::HighestParticle}, {"surface", DepthRule::Surface}},
       "Depth of the simulation in a cell: the height of its highest particle, or the free surface.");
+  keys.boolean(
+      "ignore_spray", &DeviationSettings::ignore_spray,
+      "The highest particle is one that is no spray: not in the air with a number density below that of an "
+      "edge of water; false: of all particles (thesis). Depth grids are taken as they were saved.");
   keys.number("dry_depth", "m", &DeviationSettings::dry_depth, at_least(0.0),
               "Shallower cells are not wetted.");
   keys.boolean("treat_as_dry", &DeviationSettings::treat_as_dry,

@@ -19,8 +19,11 @@ Json summary_json(const RunSummary& summary) {
                cpu_time_loop, wall_time_initial_pressure, particle_steps_per_second, pair_evaluations,
                pressure_iterations_mean, cpu_time_total, stage_ns_per_particle_step, state_bytes_per_particle,
                state_bytes_by_array, peak_rss_bytes, penetrations, lost_particles, outflow_particles,
-               outflow_volume, compression_max, compression_p95, energy_initial, energy_final,
-               energy_gain_max, mass_error, frames_written, frames_dropped, frames_drawn_by] = summary;
+               outflow_volume, compression_max, compression_p95, paired_fraction_max, paired_fraction_final,
+               nearest_distance_p5_min, nearest_distance_p5_final, isolated_particles_max,
+               isolated_particles_final, isolated_fraction_max, isolated_fraction_final, energy_initial,
+               energy_final, energy_gain_max, mass_error, frames_written, frames_dropped, frames_drawn_by] =
+      summary;
   Json json;
 #define EISPH_PUT(name) json[#name] = name  // NOLINT(cppcoreguidelines-macro-usage)
   EISPH_PUT(scene);
@@ -52,6 +55,14 @@ Json summary_json(const RunSummary& summary) {
   EISPH_PUT(outflow_volume);
   EISPH_PUT(compression_max);
   EISPH_PUT(compression_p95);
+  EISPH_PUT(paired_fraction_max);
+  EISPH_PUT(paired_fraction_final);
+  EISPH_PUT(nearest_distance_p5_min);
+  EISPH_PUT(nearest_distance_p5_final);
+  EISPH_PUT(isolated_particles_max);
+  EISPH_PUT(isolated_particles_final);
+  EISPH_PUT(isolated_fraction_max);
+  EISPH_PUT(isolated_fraction_final);
   EISPH_PUT(energy_initial);
   EISPH_PUT(energy_final);
   EISPH_PUT(energy_gain_max);

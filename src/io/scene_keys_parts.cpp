@@ -209,6 +209,10 @@ KeyTable<Gauge> gauge_keys() {
   keys.number("size", "m", &Gauge::size, above(0.0), "Side of the column.").fallback("1.5 dx");
   keys.number("height", "m", &Gauge::height, above(0.0), "Height of the column above the floor.")
       .fallback("the height of the domain");
+  keys.boolean(
+      "ignore_spray", &Gauge::ignore_spray,
+      "Leave spray, particles in the air with a number density below that of an edge of water, out of the "
+      "level; false: the highest particle, whatever it is (thesis).");
   keys.number("interval", "s", &Gauge::interval, above(0.0), "Time between records.").fallback("0.01");
   return keys;
 }
@@ -238,6 +242,10 @@ KeyTable<OutputSettings> output_keys() {
       "depth_rule", &OutputSettings::depth_rule,
       {{"highest_particle", DepthRule::HighestParticle}, {"surface", DepthRule::Surface}},
       "Depth of a cell: height of the highest particle in it (thesis), or a smooth level without holes.");
+  keys.boolean(
+      "ignore_spray", &OutputSettings::ignore_spray,
+      "The highest particle is one that is no spray: not in the air with a number density below that of an "
+      "edge of water; false: of all particles (thesis). The smooth level counts spray by its volume.");
   keys.choice<bool>(
       "frames", &OutputSettings::latest_frame_only, {{"every", false}, {"latest", true}},
       "Draw every frame, the run waiting if need be, or drop those that the renderer is too slow for.");

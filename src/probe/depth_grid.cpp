@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "probe/column_probes.hpp"
+#include "probe/spray.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ std::optional<std::size_t> cell_of(double offset, double length, double cell_siz
 }  // namespace
 
 DepthGridBuilder::DepthGridBuilder(const Scene& scene)
-    : lower_(scene.domain_min), upper_(scene.domain_max), one_row_(scene.dimension == 2) {
+    : scene_(scene), lower_(scene.domain_min), upper_(scene.domain_max), one_row_(scene.dimension == 2) {
   const double given = scene.output.depth_cell_size;
   const double cell_size = given != 0.0 ? given : 1.5 * scene.particle_spacing;
   const double columns = cells_over(upper_.x() - lower_.x(), cell_size);
@@ -61,19 +62,26 @@ DepthGrid DepthGridBuilder::build(const Snapshot& snapshot) const {
   }
   if (surface_) {
     surface_->fill(snapshot, grid);
-    return grid;
+  } else {
+    fill_with_highest(snapshot, grid);
   }
+  return grid;
+}
+
+void DepthGridBuilder::fill_with_highest(const Snapshot& snapshot, DepthGrid& grid) const {
+  std::optional<SprayRule> spray;
+  if (scene_.output.ignore_spray) spray.emplace(scene_, snapshot.time);
   const Vec3d length = upper_ - lower_;
-  for (const Vec3f& position : snapshot.position) {
-    const Vec3d offset = position.cast<double>() - lower_;
+  for (std::size_t k = 0; k < snapshot.size(); ++k) {
+    const Vec3d offset = snapshot.position[k].cast<double>() - lower_;
     const auto column = cell_of(offset.x(), length.x(), grid.cell_size, grid.columns);
     const auto row =
         one_row_ ? std::optional<std::size_t>(0) : cell_of(offset.y(), length.y(), grid.cell_size, grid.rows);
     if (!column || !row) continue;
     float& depth = grid.depth[*row * grid.columns + *column];
-    depth = std::max(depth, static_cast<float>(offset.z()));
+    const auto height = static_cast<float>(offset.z());
+    if (height > depth && !(spray && spray->is_spray(snapshot, k))) depth = height;
   }
-  return grid;
 }
 
 }  // namespace eisph

@@ -12,11 +12,13 @@ namespace eisph {
 
 /// Water depth on square cells over the floor of a scene's domain, by scene.output.depth_rule:
 ///
-/// HighestParticle (thesis): the height above the floor (domain_min.z) of the centre of the highest fluid
-/// particle in the cell, zero without one; a lone drop therefore counts as depth, and a full cell reads about
-/// half a particle spacing less than the free surface.
+/// HighestParticle: the height above the floor (domain_min.z) of the centre of the highest fluid particle in
+/// the cell, zero without one; a full cell reads about half a particle spacing less than the free surface.
+/// With scene.output.ignore_spray the highest that is no spray (SprayRule); without it, as in the thesis, a
+/// lone drop in the air counts as depth up to its own height.
 ///
-/// Surface: the level of the water about the centre of the cell, see SurfaceDepth.
+/// Surface: the level of the water about the centre of the cell, see SurfaceDepth. Spray counts by its
+/// volume: it is water that the cells would lack without it.
 ///
 /// The cells start at domain_min and cover the whole domain: where its length is no multiple of the cell
 /// size, the last column or row reaches beyond the wall and holds fewer particles. Particles outside the
@@ -31,6 +33,9 @@ class DepthGridBuilder {
   [[nodiscard]] DepthGrid build(const Snapshot& snapshot) const;
 
  private:
+  void fill_with_highest(const Snapshot& snapshot, DepthGrid& grid) const;
+
+  Scene scene_;
   DepthGrid empty_;  ///< all dry, at t = 0
   Vec3d lower_;
   Vec3d upper_;

@@ -43,6 +43,12 @@ class FluidCells {
     }
   }
 
+  /// Calls visit(k, position) once for every particle, those of a cell one after the other.
+  template <class Visit>
+  void visit_all(const Visit& visit) const {
+    for (std::size_t p = 0; p < position_.size(); ++p) visit(std::size_t{index_[p]}, position_[p]);
+  }
+
  private:
   [[nodiscard]] std::size_t cell_of(const Vec3f& position) const;
 

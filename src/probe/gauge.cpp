@@ -1,6 +1,7 @@
 #include "probe/gauge.hpp"
 
 #include "probe/column_probes.hpp"
+#include "probe/spray.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +38,17 @@ double water_level(const Gauge& gauge, const Scene& scene, const Snapshot& snaps
   const double height = gauge.height > 0.0 ? gauge.height : scene.domain_max.z() - floor;
   const bool check_y = scene.dimension == 3;
 
+  std::optional<SprayRule> spray;
+  if (gauge.ignore_spray) spray.emplace(scene, snapshot.time);
+
   double level = 0.0;
-  for (const Vec3f& position : snapshot.position) {
+  for (std::size_t k = 0; k < snapshot.size(); ++k) {
+    const Vec3f& position = snapshot.position[k];
     if (std::abs(position.x() - gauge.x) > half_side) continue;
     if (check_y && std::abs(position.y() - gauge.y) > half_side) continue;
     const double above_floor = position.z() - floor;
-    if (above_floor <= height + kEdgeTolerance * side) level = std::max(level, above_floor);
+    if (above_floor <= level || above_floor > height + kEdgeTolerance * side) continue;
+    if (!spray || !spray->is_spray(snapshot, k)) level = above_floor;
   }
   return level;
 }

@@ -6,12 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
 namespace eisph {
 
 namespace {
+
+constexpr double kTimeTolerance = 1e-9;  ///< s
+/// Least time between searches for the nearest neighbours, as part of the run's.
+constexpr double kSearchInterval = 0.01;
 
 std::vector<TableColumn> ledger_columns(int dimension) {
   const bool per_metre = dimension == 2;
@@ -24,7 +29,9 @@ std::vector<TableColumn> ledger_columns(int dimension) {
                                    {"kinetic_energy", energy},
                                    {"potential_energy", energy}};
   add_vector_columns(columns, "momentum", per_metre ? "kg/s" : "kg m/s", dimension);
-  for (const char* name : {"compression_max", "compression_p95", "penetrations", "lost_particles"}) {
+  for (const char* name :
+       {"compression_max", "compression_p95", "penetrations", "lost_particles", "paired_fraction",
+        "nearest_distance_p5", "isolated_particles", "isolated_fraction"}) {
     columns.push_back({name, "-"});
   }
   return columns;
@@ -66,7 +73,24 @@ void ProbeSet::record_ledger(const Snapshot& snapshot) {
   add_vector(row, entry.momentum, scene_.dimension);
   row.insert(row.end(),
              {entry.compression_max, entry.compression_p95, entry.penetrations, entry.lost_particles});
+  add_neighbour_distances(row, snapshot);
   sink_->append_row(ledger_table_, row);
+}
+
+void ProbeSet::add_neighbour_distances(std::vector<double>& row, const Snapshot& snapshot) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const bool at_end = std::abs(snapshot.time - scene_.end_time) <= kTimeTolerance;
+  if (snapshot.columns || (snapshot.time < next_search_ - kTimeTolerance && !at_end)) {
+    row.insert(row.end(), 4, kNone);
+    return;
+  }
+  const double given = scene_.output.ledger_interval;
+  const double interval = given > 0.0 ? given : kSearchInterval * scene_.end_time;
+  if (interval > 0.0) next_search_ = Schedule{{}, interval}.next_after(snapshot.time);
+  const NeighbourDistances distances = neighbour_distances(snapshot);
+  row.insert(row.end(), {distances.paired_fraction, distances.nearest_distance_p5,
+                         static_cast<double>(distances.isolated_particles), distances.isolated_fraction});
+  neighbours_.add(distances);
 }
 
 double ProbeSet::next_due(double time) const {

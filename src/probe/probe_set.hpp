@@ -4,6 +4,7 @@
 #include "core/snapshot.hpp"
 #include "core/table.hpp"
 #include "probe/instrument.hpp"
+#include "probe/nearest_neighbours.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -18,15 +19,22 @@ namespace eisph {
 ///   pressure_sensor_<name>  time, pressure, wetted_fraction
 ///   front_<name>            time, front, bulk_front
 ///   line_<name>             time, distance, position, pressure, velocity: a row per point, values as of a
-///   probe force_<name>            time, force, moment discharge_<name>        time, discharge, volume since
-///   the first record leading_edge            time, front and bulk_front along +x ledger time, step,
-///   particles, mass, volume, energies, momentum, compression, penetrations,
-///                           lost particles
+///                           probe
+///   force_<name>            time, force, moment
+///   discharge_<name>        time, discharge, volume since the first record
+///   leading_edge            time, front and bulk_front along +x
+///   ledger                  time, step, particles, mass, volume, energies, momentum, compression,
+///                           penetrations, lost particles, figures of NeighbourDistances
 ///
 /// All but the last two are recorded at the multiples of their interval, t = 0 included; without an interval
 /// they are recorded with every snapshot. The leading edge and the ledger are recorded with every snapshot
 /// that is handed in, whatever it was published for; a schedule of their own can add times. Without probes
 /// and that schedule nothing is ever due, so no snapshot is taken for the probes' sake.
+///
+/// Distances of neighbours, which take as long as all else of the ledger several times over, are found in the
+/// rows at multiples of scene.output.ledger_interval, without one in rows at least a hundredth of the scene's
+/// time apart, and at its end; the other rows have no values there, nor do those of a model without
+/// particles.
 class ProbeSet {
  public:
   /// The sink must outlive the probes.
@@ -39,8 +47,12 @@ class ProbeSet {
   /// The first time after `time` (s) at which a snapshot is needed, infinity if there is none.
   [[nodiscard]] double next_due(double time) const;
 
+  /// Distances of neighbours recorded so far.
+  [[nodiscard]] const NeighbourHistory& neighbours() const { return neighbours_; }
+
  private:
   void record_ledger(const Snapshot& snapshot);
+  void add_neighbour_distances(std::vector<double>& row, const Snapshot& snapshot);
 
   Scene scene_;
   TableSink* sink_;
@@ -49,6 +61,8 @@ class ProbeSet {
   std::size_t edge_table_ = 0;
   std::size_t ledger_table_ = 0;
   double last_time_ = -std::numeric_limits<double>::infinity();
+  double next_search_ = 0.0;  ///< s
+  NeighbourHistory neighbours_;
 };
 
 }  // namespace eisph

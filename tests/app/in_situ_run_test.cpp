@@ -5,6 +5,7 @@
 #include "io/temporary_folder.hpp"
 #include "render/png_file.hpp"
 
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -63,6 +64,10 @@ TEST_F(InSituRun, WritesFramesStatesAndTables) {
   EXPECT_GT(summary.peak_rss_bytes, 0);
   EXPECT_THAT(saved_states(files_), SizeIs(5));
   EXPECT_THAT(text_of(files_.folder / "ledger.csv"), HasSubstr("\n0.75,"));
+  EXPECT_EQ(summary.paired_fraction_max, 0.0);
+  EXPECT_EQ(summary.nearest_distance_p5_final, 2.0);
+  EXPECT_EQ(summary.isolated_particles_final, 1U) << "the one there is";
+  EXPECT_EQ(summary.isolated_fraction_max, 1.0);
 }
 
 TEST_F(InSituRun, NamesSceneTimeAndSoftwareInItsFrames) {
@@ -121,8 +126,10 @@ TEST_F(InSituRun, OfASceneWithoutOutputsTakesNoSnapshotAndWritesNothing) {
   scene.output.particles = {};
   scene.images.clear();
   SimulationDouble simulation(0.01);
-  EXPECT_EQ(run(simulation, scene).status, "finished");
+  const RunSummary summary = run(simulation, scene);
+  EXPECT_EQ(summary.status, "finished");
   EXPECT_EQ(simulation.snapshots(), 0);
+  EXPECT_TRUE(std::isnan(summary.paired_fraction_max)) << "nor searches for neighbours";
   EXPECT_EQ(folder_.file_count(), 0);
 }
 

@@ -4,6 +4,9 @@
 #include "app/simulation_double.hpp"
 #include "core/error.hpp"
 #include "io/temporary_folder.hpp"
+#include "io/vtk_output.hpp"
+#include "probe/depth_grid.hpp"
+#include "probe/nearest_neighbours.hpp"
 
 #include <gmock/gmock.h>
 
@@ -54,6 +57,36 @@ TEST(SavedStates, AreReadAsTheyWereWritten) {
   EXPECT_EQ(state.objects->pressure[0], 7.0F);
   EXPECT_THAT(read_state(states[0]).objects->position, SizeIs(3));
   EXPECT_THAT(read_state(states[2]).objects->position, SizeIs(0));
+}
+
+TEST(SavedStates, GiveTheDepthAndTheDistancesOfTheRun) {
+  Scene scene = small_scene();
+  scene.output.depth.interval = 0.1;
+  Snapshot water = *state_at(0.0, 0);
+  water.particle_mass = 1.0;
+  water.id = {0, 1, 2, 3};
+  water.position = {{0.05F, 0.05F, 0.05F}, {0.05F, 0.05F, 0.1F}, {0.05F, 0.05F, 0.75F}, {0.55F, 0.5F, 0.05F}};
+  water.velocity.assign(4, Vec3f::Zero());
+  water.pressure.assign(4, 0.0F);
+  water.number_density = {1.0F, 0.75F, 0.14F, 0.2F};
+  const TemporaryFolder folder;
+  const RunFiles files{folder.path()};
+  RecordStage stage(scene, files);
+  DueOutputs due;
+  due.particles = true;
+  due.depth = true;
+  stage.write({std::make_shared<Snapshot>(water), due});
+
+  const Snapshot state = read_state(saved_states(files).at(0));
+  EXPECT_EQ(state.number_density, water.number_density);
+  const DepthGrid written = read_depth(files.depth(0));
+  EXPECT_EQ(DepthGridBuilder(scene).build(state).depth, written.depth);
+  EXPECT_EQ(written.at(0, 0), 0.1F) << "without the drop above it";
+  EXPECT_EQ(written.at(3, 3), 0.05F) << "the drop on the floor";
+  const NeighbourDistances distances = neighbour_distances(state);
+  EXPECT_EQ(distances.paired_fraction, stage.neighbours().last.paired_fraction);
+  EXPECT_EQ(distances.paired_fraction, 0.5);
+  EXPECT_EQ(stage.neighbours().last.isolated_particles, 2U);
 }
 
 TEST(SavedStates, ShareOneFileOfObjectsThatHaveNotChanged) {

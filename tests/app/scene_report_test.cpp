@@ -5,9 +5,11 @@
 namespace eisph {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 /// A tank of 10 x 10 x 10 water particles with an obstacle, and nothing doubtful about it.
 Scene sound_scene() {
@@ -28,6 +30,8 @@ Scene sound_scene() {
   obstacle.shape.max = {0.32, 0.1, 0.1};
   scene.obstacles = {obstacle};
   scene.scheme.phi = 0.17;
+  scene.kernel = KernelKind::WendlandC2;
+  scene.smoothing_ratio = 1.32;
   return scene;
 }
 
@@ -43,6 +47,24 @@ SimulationPlan plan_of(const Scene& scene) {
 }
 
 std::vector<std::string> warnings_of(const Scene& scene) { return scene_warnings(scene, plan_of(scene)); }
+
+TEST(SceneWarnings, TellOfAKernelWithWhichParticlesPair) {
+  Scene scene = sound_scene();
+  scene.kernel = KernelKind::CubicSpline;
+  EXPECT_THAT(warnings_of(scene), ElementsAre(AllOf(HasSubstr("particles.smoothing_ratio = 1.32"),
+                                                    HasSubstr("cubic spline particles pair above 1.1"))));
+  scene.smoothing_ratio = 1.1;
+  EXPECT_THAT(warnings_of(scene), IsEmpty());
+  scene.smoothing_ratio = 1.2;
+  EXPECT_THAT(warnings_of(scene), SizeIs(1));
+  for (const KernelKind kernel : {KernelKind::WendlandC2, KernelKind::QuinticSpline}) {
+    scene.kernel = kernel;
+    EXPECT_THAT(warnings_of(scene), IsEmpty());
+    scene.smoothing_ratio = 1.7;
+    EXPECT_THAT(warnings_of(scene), ElementsAre(HasSubstr("particles pair above 1.")));
+    scene.smoothing_ratio = 1.32;
+  }
+}
 
 TEST(SceneWarnings, OfASoundSceneAreNone) { EXPECT_THAT(warnings_of(sound_scene()), IsEmpty()); }
 

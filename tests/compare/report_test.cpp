@@ -51,6 +51,8 @@ CaseReport mixed_case() {
                 .lost_particles = 3,
                 .compression_max = 0.05,
                 .compression_p95 = 0.0065,
+                .paired_fraction = 0.0125,
+                .isolated_fraction = 0.002,
                 .energy_gain = 1e-4};
   report.notes = {"The gate <takes> time.", "Second."};
   return report;
@@ -228,6 +230,8 @@ TEST_F(ReportFile, ComesBackFromJson) {
   EXPECT_EQ(one.run.lost_particles, 3U);
   EXPECT_EQ(one.run.compression_max, 0.05);
   EXPECT_EQ(one.run.compression_p95, 0.0065);
+  EXPECT_EQ(one.run.paired_fraction, 0.0125);
+  EXPECT_EQ(one.run.isolated_fraction, 0.002);
   EXPECT_EQ(one.run.energy_gain, 1e-4);
 }
 

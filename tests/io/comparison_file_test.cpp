@@ -100,8 +100,14 @@ TEST_F(ComparisonFile, DefaultsAreThoseOfTheThesis) {
   EXPECT_FALSE(comparison.synthetic);
 }
 
+TEST_F(ComparisonFile, SprayIsIgnoredUnlessItIsToCount) {
+  EXPECT_TRUE(load(kText).deviation.ignore_spray);
+  EXPECT_FALSE(load(kText, {"deviation.ignore_spray=false"}).deviation.ignore_spray);
+}
+
 TEST_F(ComparisonFile, WhatIsWrittenReadsBackTheSame) {
-  Comparison comparison = load(kText, {"calibration.tolerance=4", "synthetic=true"});
+  Comparison comparison =
+      load(kText, {"calibration.tolerance=4", "synthetic=true", "deviation.ignore_spray=false"});
   Comparison again = load(comparison_toml(comparison));
   EXPECT_EQ(again, comparison);
 }

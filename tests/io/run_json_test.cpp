@@ -42,8 +42,11 @@ TEST(RunJson, HasTheFieldsOfTheSummaryAndTheCircumstancesAtItsTopLevel) {
           "pressure_iterations_mean", "cpu_time_total", "stage_ns_per_particle_step",
           "state_bytes_per_particle", "state_bytes_by_array", "peak_rss_bytes", "penetrations",
           "lost_particles", "outflow_particles", "outflow_volume", "compression_max", "compression_p95",
-          "energy_initial", "energy_final", "energy_gain_max", "mass_error", "frames_written",
-          "frames_dropped", "frames_drawn_by", "version", "build", "host", "started", "finished"));
+          "paired_fraction_max", "paired_fraction_final", "nearest_distance_p5_min",
+          "nearest_distance_p5_final", "isolated_particles_max", "isolated_particles_final",
+          "isolated_fraction_max", "isolated_fraction_final", "energy_initial", "energy_final",
+          "energy_gain_max", "mass_error", "frames_written", "frames_dropped", "frames_drawn_by", "version",
+          "build", "host", "started", "finished"));
 }
 
 TEST(RunJson, GivesEachFieldItsOwnValue) {
@@ -59,6 +62,8 @@ TEST(RunJson, GivesEachFieldItsOwnValue) {
   summary.state_bytes_by_array = {{"position", 1.5e6}};
   summary.peak_rss_bytes = 12345678901;
   summary.compression_p95 = 0.0005;
+  summary.paired_fraction_max = 0.15;
+  summary.isolated_particles_final = 7;
   summary.energy_gain_max = -0.25;
   summary.frames_written = 5;
   summary.frames_dropped = 2;
@@ -74,6 +79,9 @@ TEST(RunJson, GivesEachFieldItsOwnValue) {
   EXPECT_EQ(run["state_bytes_by_array"], json({{"position", 1.5e6}}));
   EXPECT_EQ(run["peak_rss_bytes"], 12345678901);
   EXPECT_EQ(run["compression_p95"], 0.0005);
+  EXPECT_EQ(run["paired_fraction_max"], 0.15);
+  EXPECT_TRUE(run["paired_fraction_final"].is_null());
+  EXPECT_EQ(run["isolated_particles_final"], 7);
   EXPECT_EQ(run["energy_gain_max"], -0.25);
   EXPECT_EQ(run["frames_written"], 5);
   EXPECT_EQ(run["frames_dropped"], 2);

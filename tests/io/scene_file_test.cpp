@@ -138,7 +138,9 @@ z_range = [0.0, 1.0]
 
 TEST(SceneFile, ReadsEveryKindOfProbe) {
   SceneLoader loader;
-  const Scene scene = loader.load(kSceneText + kProbes, {"output.depth_rule=surface"});
+  const Scene scene =
+      loader.load(kSceneText + kProbes, {"output.depth_rule=surface", "output.ignore_spray=false"});
+  EXPECT_FALSE(scene.output.ignore_spray);
   ASSERT_EQ(scene.pressure_sensors.size(), 2U);
   EXPECT_EQ(scene.pressure_sensors[0].shape, SensorShape::Square);
   EXPECT_EQ(scene.pressure_sensors[0].normal, Vec3d(1.0, 0.0, 0.0)) << "of the nearest face";

@@ -201,6 +201,8 @@ TEST(Probes, ReadTheColumnsWhereThereAreAny) {
   EXPECT_NEAR(water_level(gauge, scene, snapshot), 0.3, 1e-7);
   EXPECT_NEAR(leading_edge(snapshot).front, 1.4, 1e-12);
   EXPECT_NEAR(take_ledger(snapshot, scene).mass, column_ledger(*snapshot.columns, scene).mass, 1e-12);
+  snapshot.number_density[0] = 0.1F;  // no spray where there are no particles
+  EXPECT_NEAR(water_level(gauge, scene, snapshot), 0.3, 1e-7);
   const DepthGrid grid = DepthGridBuilder(scene).build(snapshot);
   EXPECT_NEAR(grid.at(2, 0), 0.3, 1e-7);
   EXPECT_NEAR(grid.at(1, 1), 0.3, 1e-7);

@@ -67,6 +67,23 @@ TEST(DepthGridBuilder, GivesTwoDimensionalScenesOneRowAboutTheirPlane) {
   EXPECT_FLOAT_EQ(grid.at(9, 0), 0.4F);
 }
 
+TEST(DepthGridBuilder, IgnoresLooseDropsInTheAirUnlessTheyAreToCount) {
+  Scene scene = hand_made_scene(3);
+  scene.output.depth_cell_size = 0.1;
+  Snapshot snapshot = hand_made_snapshot(
+      scene, {{0.55F, 0.25F, 0.2F}, {0.55F, 0.25F, 0.5F}, {0.75F, 0.25F, 0.5F}, {0.95F, 0.25F, 0.11F}});
+  snapshot.number_density = {0.76F, 0.14F, 0.14F, 0.2F};
+  const DepthGrid water = DepthGridBuilder(scene).build(snapshot);
+  EXPECT_FLOAT_EQ(water.at(5, 2), 0.1F);
+  EXPECT_EQ(water.at(7, 2), 0.0F);
+  EXPECT_FLOAT_EQ(water.at(9, 2), 0.01F) << "a film on the floor";
+  scene.output.ignore_spray = false;
+  const DepthGrid all = DepthGridBuilder(scene).build(snapshot);
+  EXPECT_FLOAT_EQ(all.at(5, 2), 0.4F);
+  EXPECT_FLOAT_EQ(all.at(7, 2), 0.4F);
+  EXPECT_FLOAT_EQ(all.at(9, 2), 0.01F);
+}
+
 TEST(DepthGridBuilder, RefusesACellSizeThatIsOfNoUse) {
   Scene scene = hand_made_scene(3);
   for (const double size : {-0.01, 1e-6}) {

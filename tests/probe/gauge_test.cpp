@@ -55,6 +55,18 @@ TEST(WaterLevel, LeavesOutSprayAboveTheColumn) {
   EXPECT_NEAR(water_level(gauge_at(0.5, 0.2, 0.1), scene, snapshot), 0.3, 1e-7);
 }
 
+TEST(WaterLevel, IgnoresLooseDropsUnlessTheyAreToCount) {
+  const Scene scene = hand_made_scene(3);
+  Snapshot snapshot =
+      hand_made_snapshot(scene, {{0.5F, 0.2F, 0.2F}, {0.5F, 0.2F, 0.4F}, {0.8F, 0.2F, 0.11F}});
+  snapshot.number_density = {0.8F, 0.14F, 0.2F};
+  Gauge gauge = gauge_at(0.5, 0.2, 0.1);
+  EXPECT_NEAR(water_level(gauge, scene, snapshot), 0.1, 1e-7);
+  gauge.ignore_spray = false;
+  EXPECT_NEAR(water_level(gauge, scene, snapshot), 0.3, 1e-7);
+  EXPECT_NEAR(water_level(gauge_at(0.8, 0.2, 0.1), scene, snapshot), 0.01, 1e-7) << "wets the floor";
+}
+
 TEST(WaterLevel, TakesAnIntervalInXInTwoDimensions) {
   const Scene scene = hand_made_scene(2);
   const Snapshot snapshot = hand_made_snapshot(scene, {{0.5F, 0.0F, 0.3F}, {0.6F, 0.0F, 0.5F}});

@@ -76,11 +76,13 @@ TEST(ProbeSet, NamesTablesAndColumnsWithUnits) {
   EXPECT_THAT(tables.columns("probe_bed"), ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]",
                                                        "velocity_y [m/s]", "velocity_z [m/s]"));
   EXPECT_THAT(tables.columns("leading_edge"), ElementsAre("time [s]", "front [m]", "bulk_front [m]"));
-  EXPECT_THAT(tables.columns("ledger"),
-              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "volume [m^3]",
-                          "kinetic_energy [J]", "potential_energy [J]", "momentum_x [kg m/s]",
-                          "momentum_y [kg m/s]", "momentum_z [kg m/s]", "compression_max [-]",
-                          "compression_p95 [-]", "penetrations [-]", "lost_particles [-]"));
+  EXPECT_THAT(
+      tables.columns("ledger"),
+      ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg]", "volume [m^3]",
+                  "kinetic_energy [J]", "potential_energy [J]", "momentum_x [kg m/s]", "momentum_y [kg m/s]",
+                  "momentum_z [kg m/s]", "compression_max [-]", "compression_p95 [-]", "penetrations [-]",
+                  "lost_particles [-]", "paired_fraction [-]", "nearest_distance_p5 [-]",
+                  "isolated_particles [-]", "isolated_fraction [-]"));
 }
 
 TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
@@ -88,11 +90,12 @@ TEST(ProbeSet, HasNoTransverseColumnsAndUnitsPerMetreInTwoDimensions) {
   const ProbeSet probes(scene_with_probes(2), tables);
   EXPECT_THAT(tables.columns("probe_bed"),
               ElementsAre("time [s]", "pressure [Pa]", "velocity_x [m/s]", "velocity_z [m/s]"));
-  EXPECT_THAT(
-      tables.columns("ledger"),
-      ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]", "volume [m^2]",
-                  "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]", "momentum_z [kg/s]",
-                  "compression_max [-]", "compression_p95 [-]", "penetrations [-]", "lost_particles [-]"));
+  EXPECT_THAT(tables.columns("ledger"),
+              ElementsAre("time [s]", "step [-]", "fluid_particles [-]", "mass [kg/m]", "volume [m^2]",
+                          "kinetic_energy [J/m]", "potential_energy [J/m]", "momentum_x [kg/s]",
+                          "momentum_z [kg/s]", "compression_max [-]", "compression_p95 [-]",
+                          "penetrations [-]", "lost_particles [-]", "paired_fraction [-]",
+                          "nearest_distance_p5 [-]", "isolated_particles [-]", "isolated_fraction [-]"));
 }
 
 TEST(ProbeSet, RecordsEachProbeAtItsOwnTimesAndTheLedgerAlways) {
@@ -185,9 +188,43 @@ TEST(ProbeSet, WritesTheLedgerOfTheSnapshot) {
   snapshot.penetrations = 3;
   snapshot.lost_particles = 1;
   probes.record(snapshot);
-  EXPECT_THAT(tables.rows("ledger"),
-              ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, DoubleNear(0.0016, 1e-12), 10.0,
-                                      DoubleNear(0.0, 1e-6), 6.0, -2.0, 0.25, 0.25, 3.0, 1.0)));
+  EXPECT_THAT(tables.rows("ledger"), ElementsAre(ElementsAre(0.5, 40.0, 1.0, 2.0, DoubleNear(0.0016, 1e-12),
+                                                             10.0, DoubleNear(0.0, 1e-6), 6.0, -2.0, 0.25,
+                                                             0.25, 3.0, 1.0, 0.0, 2.0, 1.0, 1.0)));
+}
+
+/// Times of the rows of the ledger that tell the distances of neighbours.
+std::vector<double> search_times(const Scene& scene, const std::vector<double>& times) {
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  for (const double time : times) probes.record(hand_made_snapshot(scene, {{0.5F, 0.0F, 0.1F}}, time));
+  std::vector<double> result;
+  for (const std::vector<double>& row : tables.rows("ledger")) {
+    if (!std::isnan(row.back())) result.push_back(row.front());
+  }
+  return result;
+}
+
+TEST(ProbeSet, SearchesForNeighboursAtMostAHundredTimesWithoutAnIntervalOfTheLedger) {
+  Scene scene = hand_made_scene(2);
+  scene.end_time = 10.0;
+  EXPECT_THAT(search_times(scene, {0.0, 0.03, 0.09, 0.12, 0.15, 0.2, 0.55, 0.6, 10.0}),
+              ElementsAre(0.0, 0.12, 0.2, 0.55, 0.6, 10.0));
+  EXPECT_THAT(search_times(scene, {9.92, 9.97, 10.0}), ElementsAre(9.92, 10.0)) << "and at the end";
+  scene.output.ledger_interval = 0.05;
+  EXPECT_THAT(search_times(scene, {0.0, 0.03, 0.05, 0.07, 0.1}), ElementsAre(0.0, 0.05, 0.1));
+}
+
+TEST(ProbeSet, KeepsTheWorstDistancesAndTheLast) {
+  const Scene scene = hand_made_scene(2);
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  probes.record(hand_made_snapshot(scene, {{0.5F, 0.0F, 0.2F}, {0.505F, 0.0F, 0.2F}}, 0.0));
+  probes.record(hand_made_snapshot(scene, {{0.5F, 0.0F, 0.2F}, {0.52F, 0.0F, 0.2F}}, 1.0));
+  EXPECT_EQ(probes.neighbours().worst.paired_fraction, 1.0);
+  EXPECT_EQ(probes.neighbours().last.paired_fraction, 0.0);
+  EXPECT_NEAR(probes.neighbours().worst.nearest_distance_p5, 0.25, 1e-5);
+  EXPECT_NEAR(probes.neighbours().last.nearest_distance_p5, 1.0, 1e-5);
 }
 
 /// One probe of each further kind, all called "a", every 0.1 s, on a block in the middle of the tank.

@@ -115,6 +115,16 @@ TEST_P(SurfaceDepthTest, CountsTheWaterUnderALiftedGate) {
   EXPECT_THAT(grid_of(water).depth, testing::Each(testing::FloatNear(0.1F, 1e-6F)));
 }
 
+TEST_P(SurfaceDepthTest, CountsSprayByItsVolume) {
+  Snapshot drops = hand_made_snapshot(scene_, {{0.3F, 0.25F, 0.3F}, {0.6F, 0.3F, 0.55F}});
+  drops.number_density = {0.14F, 0.14F};
+  const DepthGrid grid = grid_of(drops);
+  double volume = 0.0;
+  for (const float depth : grid.depth) volume += depth * std::pow(grid.cell_size, GetParam() - 1);
+  const double water = 2.0 * drops.particle_mass / drops.reference_density;
+  EXPECT_NEAR(volume, water, 0.02 * water);
+}
+
 INSTANTIATE_TEST_SUITE_P(Dimension, SurfaceDepthTest, testing::Values(2, 3));
 
 TEST(SurfaceDepthAround, ACylinderAndATurnedBoxIsTheLevel) {

@@ -43,6 +43,7 @@ DepthGrid depth_by(const Scene& scene, const DeviationSettings& settings, DepthR
                    const Snapshot& snapshot) {
   Scene ruled = scene;
   ruled.output.depth_rule = rule;
+  ruled.output.ignore_spray = settings.ignore_spray;
   ruled.output.depth_cell_size = comparison_cell_size(scene, settings);
   return completed(scene, DepthGridBuilder(ruled).build(snapshot));
 }

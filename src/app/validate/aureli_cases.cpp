@@ -91,6 +91,7 @@ void judge_depth(CaseReport& report, const ValidationRun& run, const ValidationR
   add_information(report, "depth, bias", 1000.0 * difference.bias, "mm", "mean of EISPH - shallow water");
   add_information(report, "wetted area", 100.0 * difference.wetted_overlap, "%",
                   "wetted by 5 mm in both over wetted in either");
+  add_pairs(report, run);
 }
 
 void add_depth_maps(CaseReport& report, const ValidationRun& run, const ValidationRun& shallow,

@@ -44,6 +44,7 @@ void judge_still_water(CaseReport& report, const ValidationRun& run, const std::
     add_information(report, "potential energy" + suffix, change, "%",
                     "change, " + note + "; +0.05 to +0.5 by the last bit of the start");
   }
+  add_pairs(report, run, suffix);
   add_information(report, "surface" + suffix, 1000.0 * (mean_level(run, end) - mean_level(run, 0.0)), "mm",
                   "rise of the level in the middle of the tank, " + note);
   add_information(report, "cost" + suffix, run.summary.wall_time_loop / end, "s/s",
@@ -193,6 +194,7 @@ void validate_sloshing(Validator& validator, CaseReport& report) {
               "%", "relative L2");
   const double last = std::abs(highest_point(restricted(measured, 4.0, 5.5)).y);
   add_information(report, "amplitude after three periods", 100.0 * last / half_height, "% of the start");
+  add_pairs(report, run);
   const auto path = validator.figure_path("level");
   write_plot(
       path,

@@ -111,6 +111,9 @@ void Validator::add_figures(const RunSummary& summary) {
   figures_.lost_particles += summary.lost_particles;
   figures_.compression_max = std::max(figures_.compression_max, summary.compression_max);
   figures_.compression_p95 = std::max(figures_.compression_p95, summary.compression_p95);
+  // Runs without particles have none.
+  figures_.paired_fraction = std::fmax(figures_.paired_fraction, summary.paired_fraction_max);
+  figures_.isolated_fraction = std::fmax(figures_.isolated_fraction, summary.isolated_fraction_max);
   if (summary.energy_initial > 0.0) {
     figures_.energy_gain = std::max(figures_.energy_gain, summary.energy_gain_max / summary.energy_initial);
   }
