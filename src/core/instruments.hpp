@@ -33,8 +33,9 @@ struct PressureSensor {
   Vec3d position = Vec3d::Zero();  ///< m, centre
   Vec3d normal = Vec3d::Zero();    ///< into the water, of any length; zero: away from the nearest face
   SensorShape shape = SensorShape::Disc;
-  double size = 0.0;      ///< m, diameter or side; 0: a point
-  double interval = 0.0;  ///< s
+  double size = 0.0;           ///< m, diameter or side; 0: a point
+  double response_time = 0.0;  ///< s, time constant with which it follows the pressure; 0: at once
+  double interval = 0.0;       ///< s
 
   bool operator==(const PressureSensor&) const = default;
 };

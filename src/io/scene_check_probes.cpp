@@ -65,6 +65,14 @@ class ProbeCheck {
     }
   }
 
+  /// A sensor sees the water once in an interval: what it does in between cannot be told.
+  void response(const PressureSensor& sensor, const std::string& path) const {
+    if (sensor.response_time <= 0.0 || sensor.response_time >= (1.0 - kTolerance) * sensor.interval) return;
+    source_.fail(path + ".response_time",
+                 fmt::format("is less than the {} s between two records; expected at least that, or 0",
+                             sensor.interval));
+  }
+
   void force(const ForceProbe& force, const std::string& path) const {
     if (solid_base(scene_, force.obstacle)) return;
     std::vector<std::string> names;
@@ -112,8 +120,10 @@ void check_probes(const Scene& scene, const TomlSource& source) {
   each(scene.probes, "probe", [&](const PointProbe& probe, const std::string& path) {
     check.inside(probe.position, axes, path + ".position", "the probe");
   });
-  each(scene.pressure_sensors, "pressure_sensor",
-       [&](const PressureSensor& sensor, const std::string& path) { check.sensor(sensor, path); });
+  each(scene.pressure_sensors, "pressure_sensor", [&](const PressureSensor& sensor, const std::string& path) {
+    check.sensor(sensor, path);
+    check.response(sensor, path);
+  });
   each(scene.fronts, "front",
        [&](const FrontProbe& front, const std::string& path) { check.range(front.band, path); });
   each(scene.lines, "line", [&](const LineProbe& line, const std::string& path) {

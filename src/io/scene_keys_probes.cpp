@@ -59,6 +59,10 @@ KeyTable<PressureSensor> pressure_sensor_keys() {
       "shape", &PressureSensor::shape, {{"disc", SensorShape::Disc}, {"square", SensorShape::Square}},
       "Form of the sensor; in 2D both are a line. One pair of a square's sides is level.");
   keys.number("size", "m", &PressureSensor::size, at_least(0.0), "Diameter or side; 0: a point.");
+  keys.number(
+      "response_time", "s", &PressureSensor::response_time, at_least(0.0),
+      "Time constant T of the sensor: adds what it indicates, y of T dy/dt + y = pressure; 0: it follows "
+      "at once. Not below interval.");
   add_interval_key(keys);
   return keys;
 }

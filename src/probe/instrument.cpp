@@ -52,11 +52,20 @@ Recorder recorder(const PointProbe& probe, const Scene& scene, TableSink& sink) 
 }
 
 Recorder recorder(const PressureSensor& sensor, const Scene&, TableSink& sink) {
-  const std::size_t table = sink.open_table(
-      {"pressure_sensor_" + sensor.name, {time_column(), {"pressure", "Pa"}, {"wetted_fraction", "-"}}});
-  return [=, &sink](Observation& seen) {
+  TableHeader header{"pressure_sensor_" + sensor.name,
+                     {time_column(), {"pressure", "Pa"}, {"wetted_fraction", "-"}}};
+  std::optional<SensorResponse> response;
+  if (sensor.response_time > 0.0) {
+    response.emplace(sensor.response_time);
+    header.columns.push_back({"indicated", "Pa"});
+  }
+  const std::size_t table = sink.open_table(header);
+  return [=, &sink](Observation& seen) mutable {
+    const double time = seen.snapshot().time;
     const SensorReading reading = read_sensor(sensor, seen.field());
-    sink.append_row(table, std::array{seen.snapshot().time, reading.pressure, reading.wetted_fraction});
+    std::vector<double> row{time, reading.pressure, reading.wetted_fraction};
+    if (response) row.push_back(response->follow(time, reading.pressure));
+    sink.append_row(table, row);
   };
 }
 

@@ -3,6 +3,8 @@
 #include "core/scene_geometry.hpp"
 #include "probe/surface_elements.hpp"
 
+#include <cmath>
+
 namespace eisph {
 
 SensorReading read_sensor(const PressureSensor& sensor, const FluidField& field) {
@@ -22,6 +24,19 @@ SensorReading read_sensor(const PressureSensor& sensor, const FluidField& field)
     force += *pressure * element.area;
   }
   return {force / area, wetted / area};
+}
+
+double SensorResponse::follow(double time, double pressure) {
+  if (time_) {
+    const double step = time - *time_;
+    const double lag = (pressure - pressure_) / step * time_constant_;
+    indicated_ = pressure - lag + (indicated_ - pressure_ + lag) * std::exp(-step / time_constant_);
+  } else {
+    indicated_ = pressure;
+  }
+  time_ = time;
+  pressure_ = pressure;
+  return indicated_;
 }
 
 Vec3d sensor_normal(const PressureSensor& sensor, const Scene& scene) {

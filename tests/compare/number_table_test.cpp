@@ -6,7 +6,10 @@
 #include "io/temporary_folder.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numeric>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace eisph {
@@ -122,11 +125,33 @@ TEST(ReferenceTable, IsCompleteForEveryFile) {
     const ReferenceTable table = read_reference_table(entry.path());
     EXPECT_THAT(table.citation, HasSubstr("(")) << entry.path();
     EXPECT_THAT(table.notes, Not(IsEmpty())) << entry.path();
-    for (const std::string& unit : table.units) EXPECT_THAT(unit, ::testing::AnyOf("-", "m")) << entry.path();
+    for (const std::string& unit : table.units) {
+      EXPECT_THAT(unit, ::testing::AnyOf("-", "m", "s", "Pa", "N")) << entry.path();
+    }
     EXPECT_THAT(table.rows(), Gt(7U)) << entry.path();
     ++files;
   }
-  EXPECT_EQ(files, 25U);
+  EXPECT_EQ(files, 29U);
+}
+
+TEST(ReferenceTable, OfTheBlockPushesLessTowardsItsTopAndAddsUpToItsForce) {
+  const ReferenceTable block = reference_table("block_impact_pressure");
+  constexpr double kSquare = 0.04 * 0.04;  // m^2
+  double push = 0.0;
+  for (int column = 1; column <= 3; ++column) {
+    double below = std::numeric_limits<double>::infinity();
+    for (int row = 1; row <= 4; ++row) {
+      const std::vector<double>& pressure = block.column(fmt::format("p{}_{}", row, column));
+      const double sum = std::accumulate(pressure.begin(), pressure.end(), 0.0);
+      EXPECT_LT(sum, below) << row << ", " << column;
+      EXPECT_GT(sum, 0.0) << row << ", " << column;
+      below = sum;
+      push += sum * kSquare;
+    }
+  }
+  const std::vector<double>& along = block.column("force_x");
+  const double force = std::accumulate(along.begin(), along.end(), 0.0);
+  EXPECT_NEAR(push / force, 1.0, 0.02) << "there is hardly any pressure on the back";
 }
 
 TEST(ReferenceTable, OfTheThesisSumsItsShares) {

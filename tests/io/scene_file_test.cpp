@@ -102,6 +102,7 @@ name = "p1"
 position = [0.0, 0.5, 0.16]
 shape = "square"
 size = 0.09
+response_time = 0.002
 interval = 0.001
 [[pressure_sensor]]
 name = "on_pillar"
@@ -145,8 +146,10 @@ TEST(SceneFile, ReadsEveryKindOfProbe) {
   EXPECT_EQ(scene.pressure_sensors[0].shape, SensorShape::Square);
   EXPECT_EQ(scene.pressure_sensors[0].normal, Vec3d(1.0, 0.0, 0.0)) << "of the nearest face";
   EXPECT_EQ(scene.pressure_sensors[0].interval, 0.001);
+  EXPECT_EQ(scene.pressure_sensors[0].response_time, 0.002);
   EXPECT_EQ(scene.pressure_sensors[1].normal, Vec3d(-3.0, 0.0, 0.0));
   EXPECT_EQ(scene.pressure_sensors[1].size, 0.0);
+  EXPECT_EQ(scene.pressure_sensors[1].response_time, 0.0);
   EXPECT_EQ(scene.pressure_sensors[1].interval, 0.01);
   EXPECT_EQ(scene.fronts.at(0).axis, 1);
   EXPECT_FALSE(scene.fronts.at(0).upwards);
@@ -380,6 +383,7 @@ constexpr ShippedScene kShippedScenes[] = {
     {"aureli_test4_full", 144000},
     {"aureli_test4_half", 576000},
     {"aureli_coarse", 31104},
+    {"block_impact", 76800},
     {"shao_lo_3d", 16000},
     {"shao_lo_2d", 800},
     {"martin_moyce_n1", 576},

@@ -11,19 +11,11 @@ start and the few states that it writes included.
 
 import argparse
 import os
-import re
 import shutil
-import subprocess
-import sys
 
 import numpy
+from openfoam import cpu_time, fields, fluids, header, read_scalars, run, schemes, solution, step_count, write_files
 from peer import FLOWS, state_name, state_times, write_peer
-
-BASHRC = "/usr/share/openfoam/etc/bashrc"
-
-
-def header(kind, name):
-    return f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
 
 
 def patches(walls, top):
@@ -58,80 +50,16 @@ deltaT {0.02 * courant * spacing:.6g}; adjustTimeStep yes; maxCo {courant:g}; ma
 writeControl adjustableRunTime; writeInterval {flow["interval"]};
 writeFormat ascii; writePrecision 6; writeCompression off; timeFormat general; timePrecision 8;
 """,
-        "system/fvSchemes": header("dictionary", "fvSchemes") + """
-ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
-divSchemes {
-  div(rhoPhi,U) Gauss linearUpwind grad(U);
-  div(phi,alpha) Gauss vanLeer;
-  div(phirb,alpha) Gauss linear;
-  div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;
-}
-laplacianSchemes { default Gauss linear corrected; }
-interpolationSchemes { default linear; }
-snGradSchemes { default corrected; }
-""",
-        "system/fvSolution": header("dictionary", "fvSolution") + """
-solvers {
-  "alpha.water.*" { nAlphaCorr 2; nAlphaSubCycles 1; cAlpha 1; MULESCorr yes; nLimiterIter 5;
-                    solver smoothSolver; smoother symGaussSeidel; tolerance 1e-8; relTol 0; }
-  "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-5; relTol 0; }
-  p_rgh { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.05; }
-  p_rghFinal { $p_rgh; relTol 0; }
-  U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-6; relTol 0; }
-}
-PIMPLE { momentumPredictor no; nOuterCorrectors 1; nCorrectors 3; nNonOrthogonalCorrectors 0; }
-relaxationFactors { equations { ".*" 1; } }
-""",
-        "constant/g": header("uniformDimensionedVectorField", "g") + """
-dimensions [0 1 -2 0 0 0 0];
-value (0 0 -9.81);
-""",
-        "constant/transportProperties": header("dictionary", "transportProperties") + """
-phases (water air);
-water { transportModel Newtonian; nu 1e-06; rho 1000; }
-air { transportModel Newtonian; nu 1.48e-05; rho 1.2; }
-sigma 0.07;
-""",
-        "constant/turbulenceProperties": header("dictionary", "turbulenceProperties") + "simulationType laminar;\n",
-        "0/U": header("volVectorField", "U") + """
-dimensions [0 1 -1 0 0 0 0];
-internalField uniform (0 0 0);
-""" + patches("type slip;", "type pressureInletOutletVelocity; value uniform (0 0 0);"),
-        "0/p_rgh": header("volScalarField", "p_rgh") + """
-dimensions [1 -1 -2 0 0 0 0];
-internalField uniform 0;
-""" + patches("type fixedFluxPressure; value uniform 0;", "type totalPressure; p0 uniform 0;"),
-        "0/alpha.water": header("volScalarField", "alpha.water") + f"""
-dimensions [0 0 0 0 0 0 0];
-internalField nonuniform List<scalar> {nx * nz}
-(
-{alpha}
-)
-;
-""" + patches("type zeroGradient;", "type inletOutlet; inletValue uniform 0; value uniform 0;"),
+        "system/fvSchemes": schemes(),
+        "system/fvSolution": solution("solver PCG; preconditioner DIC;"),
+        **fluids(),
+        **fields(f"nonuniform List<scalar> {nx * nz}\n(\n{alpha}\n)", patches),
     }
     return files, nx, nz
 
 
-def run(command, folder):
-    """Output of an OpenFOAM program; ends this one if it fails."""
-    line = f"source {BASHRC} >/dev/null 2>&1; exec {command}"
-    done = subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{command} failed in {folder}:\n{(done.stdout + done.stderr)[-2000:]}")
-    return done.stdout
-
-
 def read_depths(path, nx, nz, spacing):
-    with open(path) as file:
-        text = file.read()
-    uniform = re.search(r"internalField\s+uniform\s+(\S+);", text)
-    if uniform:
-        fraction = numpy.full(nx * nz, float(uniform.group(1)))
-    else:
-        values = re.search(r"internalField\s+nonuniform[^(]*\(([^)]*)\)", text).group(1)
-        fraction = numpy.array(values.split(), dtype=float)
+    fraction = numpy.array(read_scalars(path, nx * nz))
     depth = fraction.reshape(nz, nx).sum(axis=0) * spacing
     depth[depth < 0.5 * spacing] = 0.0
     return depth
@@ -147,15 +75,9 @@ def main():
     flow = FLOWS[options.flow]
     case = os.path.join(options.out, "case")
     files, nx, nz = case_files(flow, options.spacing, options.courant)
-    for name, text in files.items():
-        path = os.path.join(case, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w") as file:
-            file.write(text)
+    write_files(case, files)
     run("blockMesh", case)
     log = run("interFoam", case)
-    cpu_time = float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])
-    steps = len(re.findall(r"^Time = ", log, re.MULTILINE))
 
     centres = (numpy.arange(nx) + 0.5) * options.spacing
     for index, instant in enumerate(state_times(flow)):
@@ -164,7 +86,7 @@ def main():
                       delimiter=",", header="x [m],depth [m]", comments="", fmt="%.9g")
     shutil.rmtree(case)
     write_peer(options.out, options.flow, "OpenFOAM interFoam", f"Courant {options.courant:g}", options.spacing,
-               nx * nz, steps, cpu_time)
+               nx * nz, step_count(log), cpu_time(log))
 
 
 if __name__ == "__main__":

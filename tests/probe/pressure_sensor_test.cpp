@@ -2,6 +2,11 @@
 
 #include "probe/hand_made.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace eisph {
@@ -66,6 +71,55 @@ TEST_P(PressureSensorTest, ReadsTheFaceOfASolid) {
   PressureSensor sensor = sensor_at(0.2, 0.1, SensorShape::Square, 0.06);
   sensor.normal = Vec3d(-1.0, 0.0, 0.0);
   EXPECT_NEAR(read(sensor).pressure, 981.0, 0.01);
+}
+
+/// Indications at the multiples of `step` up to `end` for p(t), with their times.
+template <class Pressure>
+std::vector<std::pair<double, double>> indications(double time_constant, double step, double end,
+                                                   const Pressure& pressure) {
+  SensorResponse response(time_constant);
+  std::vector<std::pair<double, double>> all;
+  for (int k = 0; k * step <= end + 1e-12; ++k) {
+    all.emplace_back(k * step, response.follow(k * step, pressure(k * step)));
+  }
+  return all;
+}
+
+TEST(SensorResponse, FollowsARampByItsTimeConstantWhateverTheStep) {
+  constexpr double kTimeConstant = 0.004;
+  constexpr double kRate = 1e6;  // Pa/s
+  for (const double step : {0.0005, 0.002, 0.004}) {
+    for (const auto& [time, indicated] :
+         indications(kTimeConstant, step, 0.04, [](double t) { return kRate * t; })) {
+      const double exact = kRate * (time - kTimeConstant * (1.0 - std::exp(-time / kTimeConstant)));
+      EXPECT_NEAR(indicated, exact, 1e-6) << "step " << step << ", t " << time;
+    }
+  }
+}
+
+TEST(SensorResponse, StartsSettledAndStaysThere) {
+  for (const auto& [time, indicated] : indications(0.01, 0.01, 0.1, [](double) { return 1234.5; })) {
+    EXPECT_DOUBLE_EQ(indicated, 1234.5) << time;
+  }
+}
+
+TEST(SensorResponse, KeepsTheImpulseOfABlowAndLowersItsPeak) {
+  constexpr double kTimeConstant = 0.005;
+  constexpr double kStep = 0.0001;
+  // 50 kPa at one reading, straight lines to zero within 2 ms on either side.
+  const auto blow = [](double t) { return 5e4 * std::max(0.0, 1.0 - std::abs(t - 0.01) / 0.002); };
+  double impulse = 0.0;
+  double peak = 0.0;
+  double before = 0.0;
+  for (const auto& [time, indicated] : indications(kTimeConstant, kStep, 0.2, blow)) {
+    impulse += 0.5 * kStep * (before + indicated);
+    peak = std::max(peak, indicated);
+    before = indicated;
+  }
+  EXPECT_NEAR(impulse, 100.0, 0.01);
+  // A blow much shorter than T leaves impulse / T behind, somewhat less as it lasts 0.8 T.
+  EXPECT_GT(peak, 0.6 * 100.0 / kTimeConstant);
+  EXPECT_LT(peak, 100.0 / kTimeConstant);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimension, PressureSensorTest, testing::Values(2, 3));

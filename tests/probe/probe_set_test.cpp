@@ -1,6 +1,7 @@
 #include "probe/probe_set.hpp"
 
 #include "probe/hand_made.hpp"
+#include "probe/pressure_sensor.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -267,6 +268,26 @@ TEST(ProbeSet, NamesTablesAndColumnsOfTheFurtherProbes) {
   EXPECT_THAT(plane.columns("force_a"),
               ElementsAre("time [s]", "force_x [N/m]", "force_z [N/m]", "moment_y [N]"));
   EXPECT_THAT(plane.columns("discharge_a"), ElementsAre("time [s]", "discharge [m^2/s]", "volume [m^2]"));
+}
+
+TEST(ProbeSet, TellsWhatASensorOfFiniteResponseIndicates) {
+  Scene scene = scene_with_further_probes(3);
+  scene.pressure_sensors.front().response_time = 0.2;
+  MemoryTables tables;
+  ProbeSet probes(scene, tables);
+  EXPECT_THAT(tables.columns("pressure_sensor_a"),
+              ElementsAre("time [s]", "pressure [Pa]", "wetted_fraction [-]", "indicated [Pa]"));
+  Snapshot water = still_water(scene, Vec3d(0.5, 0.5, 0.2));
+  SensorResponse response(0.2);
+  for (const double time : {0.0, 0.1, 0.2}) {
+    water.time = time;
+    for (float& pressure : water.pressure) pressure += static_cast<float>(1000.0 * time);
+    probes.record(water);
+  }
+  const auto& rows = tables.rows("pressure_sensor_a");
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_GT(rows[2][1], rows[0][1] + 250.0);
+  for (const auto& row : rows) EXPECT_DOUBLE_EQ(row[3], response.follow(row[0], row[1])) << row[0];
 }
 
 TEST(ProbeSet, WritesTheFurtherProbesWhenTheyAreDue) {

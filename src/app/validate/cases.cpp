@@ -20,6 +20,7 @@ const std::vector<ValidationCase>& validation_cases() {
       {"buchner", "Dam break against a wall (Buchner)", true, validate_buchner},
       {"janosi", "Dam break on a wet bed behind a gate (Janosi et al.)", true, validate_janosi},
       {"lobovsky", "Dam break against a wall, repeated (Lobovsky et al.)", true, validate_lobovsky},
+      {"block_impact", "Dam break against a block (interFoam)", true, validate_block_impact},
       {"aureli_test4", "Dam break around an obstacle (Aureli et al., test 4)", true, validate_aureli_test4},
       {"aureli_half", "The same in half of the tank", false, validate_aureli_half},
       {"aureli_test1", "Dam break in a flat tank (Aureli et al., test 1)", false, validate_aureli_test1},

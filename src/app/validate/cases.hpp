@@ -38,6 +38,7 @@ void validate_stoker(Validator& validator, CaseReport& report);
 void validate_buchner(Validator& validator, CaseReport& report);
 void validate_janosi(Validator& validator, CaseReport& report);
 void validate_lobovsky(Validator& validator, CaseReport& report);
+void validate_block_impact(Validator& validator, CaseReport& report);
 void validate_aureli_test4(Validator& validator, CaseReport& report);
 void validate_aureli_half(Validator& validator, CaseReport& report);
 void validate_aureli_test1(Validator& validator, CaseReport& report);
