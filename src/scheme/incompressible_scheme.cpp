@@ -5,7 +5,7 @@ namespace eisph {
 template <int Dim>
 void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step, double source_step) {
   const ParticleSystem<Dim>& p = this->particles_;
-  if (p.viscosity > 0.0 && !p.scene.scheme.viscous_source) {
+  if (p.is_viscous() && !p.scene.scheme.viscous_source) {
     advance<true>(step, source_step);
   } else {
     advance<false>(step, source_step);

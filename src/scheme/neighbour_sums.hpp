@@ -3,6 +3,8 @@
 #include "scheme/particle_system.hpp"
 #include "sph/pair_operators.hpp"
 
+#include <algorithm>
+
 namespace eisph {
 
 // The loops over the neighbours of a particle that the schemes share. Each is written once: a scheme that
@@ -41,27 +43,66 @@ inline void for_neighbours(const ParticleSystem<Dim>& particles, std::uint32_t r
   });
 }
 
-/// Factor of ViscousSum, m/s^2 for velocities in m/s.
+/// The viscous terms of a particle. Artificial viscosity has Monaghan's form, which acts along the line of a
+/// pair and leaves rotation alone. The fluid's own has that of Morris inside, which is what a shear flow
+/// needs; on the free surface, where that form would hold the velocity's gradient and not the stress at zero
+/// (Colagrossi, Antuono, Souto-Iglesias & Le Touze 2011), it has Monaghan's.
 template <int Dim>
-inline double viscous_factor(const ParticleSystem<Dim>& particles) {
-  return 2.0 * (Dim + 2) * particles.viscosity * particles.alpha / (particles.h * particles.h);
-}
+class ViscousTerms {
+ public:
+  explicit ViscousTerms(const ParticleSystem<Dim>& particles) : particles_(particles) {}
+
+  template <class Pair>
+  void add(const Pair& pair, const PackRows& neighbour, const Vector<Dim, Pack>& u) {
+    const Pack weight = laplacian_weight(pair);
+    const Vector<Dim, Pack> other = components<Dim>(neighbour);
+    radial_.add(pair, weight, neighbour.w, u, other);
+    if (particles_.laminar_viscosity > 0.0) {
+      plain_.add(pair, weight, neighbour.w, u, other);
+      fullness_.add(pair, weight, neighbour.w, splat<Pack>(0.0));
+    }
+  }
+  /// nu lap u, m/s^2.
+  [[nodiscard]] Vector<Dim, double> acceleration() const {
+    const double unit = 2.0 * particles_.alpha / (particles_.h * particles_.h);
+    double radial = particles_.artificial_viscosity;
+    double plain = 0.0;
+    if (particles_.laminar_viscosity > 0.0) {
+      const double lattice = particles_.lattice.laplacian / (2.0 * particles_.alpha);
+      const double full = -horizontal_sum(fullness_.coefficient) / lattice;
+      plain = particles_.laminar_viscosity * std::clamp((full - kSurface) / (kInside - kSurface), 0.0, 1.0);
+      radial += particles_.laminar_viscosity - plain;
+    }
+    Vector<Dim, double> sum;
+    for (int d = 0; d < Dim; ++d) {
+      sum.x[d] = unit * (Dim + 2) * radial * horizontal_sum(radial_.value.x[d]);
+      if (plain > 0.0) sum.x[d] += unit * plain * horizontal_sum(plain_.value.x[d]);
+    }
+    return sum;
+  }
+
+ private:
+  /// The neighbours' sum of Laplacian coefficients over the lattice's: about 0.6 on a flat free surface.
+  static constexpr double kSurface = 0.6;
+  static constexpr double kInside = 0.8;
+
+  const ParticleSystem<Dim>& particles_;
+  ViscousSum<Dim, Pack> radial_;
+  VelocityLaplacianSum<Dim, Pack> plain_;
+  LaplacianSums<Pack> fullness_;
+};
 
 /// nu lap u of table row `row`, m/s^2.
 template <int Dim>
 inline Vector<Dim, double> viscous_acceleration(const ParticleSystem<Dim>& particles, std::uint32_t row) {
   const SourceTable& table = particles.table;
   const auto u = splat_row<Dim>(table.velocity[row]);
-  ViscousSum<Dim, Pack> sum;
+  ViscousTerms<Dim> terms(particles);
   for_neighbours<Dim>(particles, row, particles.neighbours.of(row),
                       [&](const std::uint32_t* j, const auto& pair, const Pack&) {
-                        const PackRows velocities = gather_rows(table.velocity.data(), j);
-                        sum.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
+                        terms.add(pair, gather_rows(table.velocity.data(), j), u);
                       });
-  const double factor = viscous_factor(particles);
-  Vector<Dim, double> acceleration;
-  for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
-  return acceleration;
+  return terms.acceleration();
 }
 
 /// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, and with Viscous nu lap u too, m/s^2.
@@ -72,12 +113,11 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   const Pack pressure = splat<Pack>(table.position[row].w);
   const auto u = splat_row<Dim>(table.velocity[row]);
   PressureGradientSum<Dim, Pack> sum;
-  ViscousSum<Dim, Pack> viscous;
+  ViscousTerms<Dim> viscous(particles);
   const auto add = [&](const std::uint32_t* j, const auto& pair, const Pack& other, Pack volume) {
     sum.add(pair, volume, pressure, other);
     if constexpr (Viscous) {
-      const PackRows velocities = gather_rows(table.velocity.data(), j);
-      viscous.add(pair, laplacian_weight(pair), velocities.w, u, components<Dim>(velocities));
+      viscous.add(pair, gather_rows(table.velocity.data(), j), u);
     }
   };
   double factor = -particles.alpha / (particles.h * particles.scene.density);
@@ -97,8 +137,8 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
   Vector<Dim, double> acceleration;
   for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
   if constexpr (Viscous) {
-    const double drag = viscous_factor(particles);
-    for (int d = 0; d < Dim; ++d) acceleration.x[d] += drag * horizontal_sum(viscous.value.x[d]);
+    const Vector<Dim, double> drag = viscous.acceleration();
+    for (int d = 0; d < Dim; ++d) acceleration.x[d] += drag.x[d];
   }
   return acceleration;
 }

@@ -63,7 +63,7 @@ void ParticleScheme<Dim>::set_parameters(const RunningParameters& parameters) {
   scene.kinematic_viscosity = parameters.kinematic_viscosity;
   scene.artificial_viscosity = parameters.artificial_viscosity;
   (scene.scheme.weakly_compressible() ? scene.scheme.courant : scene.scheme.phi) = parameters.step_factor;
-  particles_.viscosity = total_viscosity(scene);
+  particles_.set_viscosities();
 }
 
 template <int Dim>

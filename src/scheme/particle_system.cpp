@@ -30,8 +30,8 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads, const FluidLat
       virtual_particles(scene),
       solids(scene),
       h(scene.smoothing_length()),
-      alpha(kernel_normalisation<Dim>(scene.kernel) / std::pow(h, Dim)),
-      viscosity(total_viscosity(scene)) {
+      alpha(kernel_normalisation<Dim>(scene.kernel) / std::pow(h, Dim)) {
+  set_viscosities();
   std::array<double, Dim> cells{};
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);
@@ -66,6 +66,12 @@ void ParticleSystem<Dim>::place_particles(const FluidLattice& sites) {
     id[i] = i;
     speed_max = std::max(speed_max, sites.velocity[i].norm());
   }
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::set_viscosities() {
+  laminar_viscosity = scene.kinematic_viscosity;
+  artificial_viscosity = artificial_kinematic_viscosity(scene);
 }
 
 template <int Dim>

@@ -56,6 +56,9 @@ struct ParticleSystem {
   /// A pass over all neighbour lists is about to be made.
   void count_pass() { pair_evaluations += static_cast<double>(neighbours.total()); }
 
+  /// Both viscosities from those of the scene.
+  void set_viscosities();
+  [[nodiscard]] bool is_viscous() const { return laminar_viscosity > 0.0 || artificial_viscosity > 0.0; }
   [[nodiscard]] std::uint32_t fluid_row(std::size_t i) const {
     return static_cast<std::uint32_t>(table.first_fluid + i);
   }
@@ -92,10 +95,11 @@ struct ParticleSystem {
   CellGrid<Dim> grid;
 
   // Constants of the run.
-  double h = 0.0;          ///< smoothing length, m
-  double alpha = 0.0;      ///< kernel normalisation, m^-Dim
-  double volume = 0.0;     ///< of a fluid particle, m^3 (m^2 in 2D)
-  double viscosity = 0.0;  ///< laminar and artificial, m^2/s
+  double h = 0.0;                     ///< smoothing length, m
+  double alpha = 0.0;                 ///< kernel normalisation, m^-Dim
+  double volume = 0.0;                ///< of a fluid particle, m^3 (m^2 in 2D)
+  double laminar_viscosity = 0.0;     ///< of the fluid, m^2/s
+  double artificial_viscosity = 0.0;  ///< as a kinematic one, m^2/s
   std::array<double, Dim> gravity{};
   std::array<double, Dim> extent{};
   std::uint32_t initial_fluid = 0;

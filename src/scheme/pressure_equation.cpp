@@ -74,7 +74,7 @@ void PressureEquation<Dim>::set_source(double time_step) {
   ParticleSystem<Dim>& p = particles_;
   set_blow_bound();
   const double omega = p.scene.scheme.source_factor;
-  const bool viscous = p.viscosity > 0.0 && p.scene.scheme.viscous_source;
+  const bool viscous = p.is_viscous() && p.scene.scheme.viscous_source;
   const double scale = repulsion_scale(p);
   if (viscous) p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
@@ -125,8 +125,7 @@ template <int Dim>
 bool PressureEquation<Dim>::is_pressureless(const Sums& sums, double time_step, bool object) const {
   if (sums.coefficient < kCoefficientThreshold * lattice_coefficient()) return true;
   if (object || sums.number_density >= particles_.scene.scheme.free_surface_threshold) return false;
-  return !sheets_push_ || sums.number_density <= kSheetThreshold ||
-         sums.divergence * time_step >= -kDeadZone;
+  return !sheets_push_ || sums.number_density <= kSheetThreshold || sums.divergence * time_step >= -kDeadZone;
 }
 
 template <int Dim>

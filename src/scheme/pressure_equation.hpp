@@ -103,9 +103,9 @@ class PressureEquation {
   double least_coefficient_ = 0.0;
   double initial_head_ = 0.0;  ///< of the water of t = 0, highest above lowest along gravity, m^2/s^2
   BlowBound blow_bound_;
-  bool sheets_push_ = true;  ///< whether surface particles that are being compressed have a pressure
-  AlignedBuffer<float> coefficient_;      ///< Sums::coefficient of the fluid, zero where there is no pressure
-  AlignedBuffer<float> source_term_;      ///< right side of the unknowns, Pa
+  bool sheets_push_ = true;           ///< whether surface particles that are being compressed have a pressure
+  AlignedBuffer<float> coefficient_;  ///< Sums::coefficient of the fluid, zero where there is no pressure
+  AlignedBuffer<float> source_term_;  ///< right side of the unknowns, Pa
   AlignedBuffer<float> object_pressure_;  ///< of the solids, in table order, Pa
   AlignedBuffer<float> object_coefficient_;
   // Of solve().

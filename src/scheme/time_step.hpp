@@ -15,18 +15,17 @@ inline double artificial_kinematic_viscosity(const Scene& scene) {
   return scene.artificial_viscosity * scene.smoothing_length() * sound_speed / (2.0 * (scene.dimension + 2));
 }
 
-/// Of the fluid and artificial, m^2/s.
-inline double total_viscosity(const Scene& scene) {
-  return scene.kinematic_viscosity + artificial_kinematic_viscosity(scene);
-}
-
 /// Viscous limit of the time step, s. An explicit step shortens a wave of velocity by lambda dt, lambda being
-/// its eigenvalue under the viscous sum: it overshoots from 1 on and grows from 2 on. With the largest
-/// eigenvalue of the lattice, lambda nu / h^2, the step keeps to kViscousPart of 2, as scattered particles
-/// have somewhat larger ones. The limit of the thesis (3.46), 0.5 h^2/nu, is four times as long as 2/lambda.
+/// its eigenvalue under the viscous sums: it overshoots from 1 on and grows from 2 on. With the largest
+/// eigenvalues of the lattice the step keeps to kViscousPart of 2, as scattered particles have somewhat
+/// larger ones. The limit of the thesis (3.46), 0.5 h^2/nu, is four times as long as 2/lambda.
 inline constexpr double kViscousPart = 0.6;
-inline double viscous_time_step(double smoothing_length, double viscosity, const LatticeConstants& lattice) {
-  return kViscousPart * 2.0 * smoothing_length * smoothing_length / (lattice.viscous_eigenvalue * viscosity);
+inline double viscous_time_step(const Scene& scene, const LatticeConstants& lattice) {
+  const double h = scene.smoothing_length();
+  const double rate =
+      lattice.radial_viscous_eigenvalue * artificial_kinematic_viscosity(scene) +
+      std::max(lattice.viscous_eigenvalue, lattice.radial_viscous_eigenvalue) * scene.kinematic_viscosity;
+  return kViscousPart * 2.0 * h * h / rate;
 }
 
 /// Largest admissible time step of the incompressible schemes, s: phi dx / Umax with the largest of the
@@ -37,8 +36,8 @@ inline double admissible_time_step(const Scene& scene, const LatticeConstants& l
   const double weighted = scene.scheme.reference_speed_weight * scene.reference_speed();
   const double speed = std::max({weighted, scene.initial_speed(), speed_max});
   double step = scene.scheme.phi * scene.particle_spacing / speed;
-  const double viscosity = total_viscosity(scene);
-  if (viscosity > 0.0) step = std::min(step, viscous_time_step(scene.smoothing_length(), viscosity, lattice));
+  const bool viscous = scene.kinematic_viscosity > 0.0 || scene.artificial_viscosity > 0.0;
+  if (viscous) step = std::min(step, viscous_time_step(scene, lattice));
   return step;
 }
 

@@ -113,7 +113,7 @@ double WeaklyCompressibleScheme<Dim>::admissible_time_step() const {
   if (scheme.time_step_mode == TimeStepMode::Fixed) return scheme.time_step;
   const double speed = std::max(p.scene.expected_speed(), p.speed_max);
   double step = scheme.courant * p.h / (state_.sound_speed + speed);
-  if (p.viscosity > 0.0) step = std::min(step, viscous_time_step(p.h, p.viscosity, p.lattice));
+  if (p.is_viscous()) step = std::min(step, viscous_time_step(p.scene, p.lattice));
   return step;
 }
 
@@ -320,7 +320,6 @@ template <Diffusion D>
 void WeaklyCompressibleScheme<Dim>::find_rates() {
   ParticleSystem<Dim>& p = this->particles_;
   const SourceTable& table = p.table;
-  const double viscous = viscous_factor(p);
   const double diffusive = -2.0 * p.scene.scheme.diffusion * state_.sound_speed * p.alpha / p.h;
   const double push = repulsion_scale(p);
   const Pack fluid_volume = splat<Pack>(p.volume);
@@ -332,7 +331,7 @@ void WeaklyCompressibleScheme<Dim>::find_rates() {
       const auto u = splat_row<Dim>(table.velocity[row]);
       const Pack own = splat<Pack>(table.position[row].w);
       const auto own_gradient = splat_row<Dim>(table.source[row]);
-      ViscousSum<Dim, Pack> drag;
+      ViscousTerms<Dim> viscous(p);
       DivergenceSum<Pack> divergence;
       DensitySum<Pack> density;
       DiffusionSum<Pack> diffusion;
@@ -350,12 +349,13 @@ void WeaklyCompressibleScheme<Dim>::find_rates() {
           if (near.near_object) volume = gather_rows(table.source.data(), j).w;
           if constexpr (D == Diffusion::Plain) diffusion.add(pair, volume, other - own);
         }
-        drag.add(pair, laplacian_weight(pair), velocities.w, u, others);
+        viscous.add(pair, velocities, u);
         divergence.add(pair, volume, u, others);
         density.add(pair, volume);
       });
       Components acceleration = p.gravity;
-      for (int d = 0; d < Dim; ++d) acceleration[d] += viscous * horizontal_sum(drag.value.x[d]);
+      const Vector<Dim, double> drag = viscous.acceleration();
+      for (int d = 0; d < Dim; ++d) acceleration[d] += drag.x[d];
       add_repulsion<Dim>(p, table_position(row), near.near_object, push, acceleration);
       Float4 rate;
       for (int d = 0; d < Dim; ++d) (&rate.x)[d] = static_cast<float>(acceleration[d]);

@@ -35,13 +35,15 @@ void visit_nodes(double spacing, const Visit& visit) {
 }
 
 /// A wave of velocity with wave vector k and polarisation e decays at the rate e . M e nu / h^2 with
-/// M = 2 (D + 2) alpha h^Dim sum V_j |dW/dq|/q / (q^2 + eta^2) (1 - cos(k . xi_j)) xi_j (x) xi_j.
+///   M = 2 (D + 2) sum a_j (1 - cos(k . xi_j)) xi_j (x) xi_j   under ViscousSum,
+///   M = 2 sum a_j (1 - cos(k . xi_j)) q_j^2                   under VelocityLaplacianSum,
+/// a_j = alpha h^Dim V_j |dW/dq|/q / (q^2 + eta^2).
 template <int Dim, class Kernel>
-double viscous_eigenvalue(double spacing) {
+void find_viscous_eigenvalues(double spacing, LatticeConstants& constants) {
   using Matrix = Eigen::Matrix<double, Dim, Dim>;
   using Column = Eigen::Matrix<double, Dim, 1>;
   const double volume = std::pow(spacing, Dim);
-  const double factor = 2.0 * (Dim + 2) * Kernel::template normalisation<Dim>();
+  const double factor = 2.0 * Kernel::template normalisation<Dim>();
   std::vector<std::pair<Column, double>> terms;
   visit_nodes<Dim>(spacing, [&](const Vector<Dim, double>& node, bool is_centre) {
     if (is_centre) return;
@@ -50,7 +52,6 @@ double viscous_eigenvalue(double spacing) {
     for (int d = 0; d < Dim; ++d) offset[d] = node.x[d];
     terms.emplace_back(offset, -factor * volume * laplacian_weight(pair));
   });
-  double largest = 0.0;
   const int waves = Dim == 2 ? kWaveNumbers * kWaveNumbers : kWaveNumbers * kWaveNumbers * kWaveNumbers;
   for (int n = 0; n < waves; ++n) {
     Column wave;
@@ -64,9 +65,10 @@ double viscous_eigenvalue(double spacing) {
       decay += weight * (1.0 - std::cos(wave.dot(offset))) * offset * offset.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(decay, Eigen::EigenvaluesOnly);
-    largest = std::max(largest, solver.eigenvalues()[Dim - 1]);
+    constants.radial_viscous_eigenvalue =
+        std::max(constants.radial_viscous_eigenvalue, (Dim + 2) * solver.eigenvalues()[Dim - 1]);
+    constants.viscous_eigenvalue = std::max(constants.viscous_eigenvalue, decay.trace());
   }
-  return largest;
 }
 
 template <int Dim, class Kernel>
@@ -84,7 +86,7 @@ LatticeConstants constants_of(double smoothing_ratio) {
   });
   constants.number_density = Kernel::template normalisation<Dim>() * density.value;
   constants.laplacian = -2.0 * Kernel::template normalisation<Dim>() * laplacian.coefficient;
-  constants.viscous_eigenvalue = viscous_eigenvalue<Dim, Kernel>(spacing);
+  find_viscous_eigenvalues<Dim, Kernel>(spacing, constants);
   return constants;
 }
 
