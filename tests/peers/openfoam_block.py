@@ -407,7 +407,8 @@ class Run:
 
 
 def uncertainty(runs):
-    """Lines that say how the runs differ."""
+    """Lines that say how the runs differ, and what the finest is taken to lack. The impulses of the first 70 ms on 20,
+    13.3 and 10 mm differ as errors of second order do: 354, 389, 401 Pa s at the foot."""
     lines = []
     for run_ in runs:
         figures = run_.figures
@@ -416,6 +417,14 @@ def uncertainty(runs):
         lines.append(f"{run_.spacing:.3g} mm ({figures['cells']} cells, {figures['steps']} steps, "
                      f"{figures['cpu_time']:.0f} s of CPU time): arrival at {1000 * run_.arrival():.1f} ms, impulse of the "
                      f"rows from foot to top [Pa s] from then on over {impulses}.")
+    if len(runs) > 1:
+        before, last = runs[-2:]
+        part = 1.0 / ((before.spacing / last.spacing) ** 2 - 1.0)
+        lacking = [100.0 * part * (fine / coarse - 1.0) / (fine / coarse) for coarse, fine in
+                   zip(before.impulses(WINDOWS[-1]), last.impulses(WINDOWS[-1]))]
+        lines.append(f"Estimated uncertainty, from the last two by second order: impulses over {WINDOWS[-1]} s "
+                     + ", ".join(f"{value:+.0f}" for value in lacking)
+                     + f" %, arrival {1000 * part * (last.arrival() - before.arrival()):+.1f} ms.")
     return lines
 
 
