@@ -10,11 +10,16 @@
 
 namespace eisph {
 
-// Eight single-precision numbers that one instruction handles. Operators on pairs of particles are templates
-// on their number type: with Pack they treat eight neighbours at a time, with float or double one.
+// Single-precision numbers that one instruction handles: sixteen with AVX-512, else eight. Operators on pairs
+// of particles are templates on their number type: with Pack they treat a pack of neighbours at a time, with
+// float or double one.
 
-using Pack = float __attribute__((vector_size(32)));
+#if defined(__AVX512F__)
+inline constexpr std::size_t kPackWidth = 16;
+#else
 inline constexpr std::size_t kPackWidth = 8;
+#endif
+using Pack = float __attribute__((vector_size(kPackWidth * sizeof(float))));
 
 /// A row of the arrays that are gathered by neighbour index: three components and a fourth value.
 struct alignas(16) Float4 {
@@ -30,8 +35,7 @@ inline Real splat(double value) {
 }
 template <>
 inline Pack splat<Pack>(double value) {
-  const auto v = static_cast<float>(value);
-  return Pack{v, v, v, v, v, v, v, v};
+  return static_cast<float>(value) - Pack{};
 }
 
 /// max(value, 0)
@@ -41,7 +45,9 @@ inline Real positive_part(Real value) {
 }
 template <>
 inline Pack positive_part<Pack>(Pack value) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  return (Pack)_mm512_max_ps((__m512)value, _mm512_setzero_ps());
+#elif defined(__AVX2__)
   return (Pack)_mm256_max_ps((__m256)value, _mm256_setzero_ps());
 #else
   for (std::size_t k = 0; k < kPackWidth; ++k) value[k] = positive_part(value[k]);
@@ -56,7 +62,10 @@ inline Real reciprocal_sqrt(Real value) {
 }
 template <>
 inline Pack reciprocal_sqrt<Pack>(Pack value) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  const Pack estimate = (Pack)_mm512_rsqrt14_ps((__m512)value);
+  return estimate * (splat<Pack>(1.5) - splat<Pack>(0.5) * value * estimate * estimate);
+#elif defined(__AVX2__)
   const Pack estimate = (Pack)_mm256_rsqrt_ps((__m256)value);
   return estimate * (splat<Pack>(1.5) - splat<Pack>(0.5) * value * estimate * estimate);
 #else
@@ -71,7 +80,14 @@ inline double horizontal_sum(Real value) {
 }
 template <>
 inline double horizontal_sum<Pack>(Pack value) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  const __m512 all = (__m512)value;
+  const __m256 half = _mm256_add_ps(_mm512_castps512_ps256(all),
+                                    _mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(all), 1)));
+  const __m128 quarter = _mm_add_ps(_mm256_castps256_ps128(half), _mm256_extractf128_ps(half, 1));
+  const __m128 eighth = _mm_add_ps(quarter, _mm_movehl_ps(quarter, quarter));
+  return _mm_cvtss_f32(_mm_add_ss(eighth, _mm_movehdup_ps(eighth)));
+#elif defined(__AVX2__)
   const __m128 half =
       _mm_add_ps(_mm256_castps256_ps128((__m256)value), _mm256_extractf128_ps((__m256)value, 1));
   const __m128 quarter = _mm_add_ps(half, _mm_movehl_ps(half, half));
@@ -83,14 +99,35 @@ inline double horizontal_sum<Pack>(Pack value) {
 #endif
 }
 
-/// Four arrays of eight from eight rows of a table.
+/// Four arrays of a pack's width from as many rows of a table.
 struct PackRows {
   Pack x, y, z, w;
 };
 
 inline PackRows gather_rows(const Float4* table, const std::uint32_t* index) {
   PackRows rows;
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  // Four rows to a register, then four by four transposes within its quarters.
+  const auto four = [&](std::size_t first) {
+    const auto row = [&](std::size_t k) { return _mm_load_ps(&table[index[k]].x); };
+    __m512 result = _mm512_castps128_ps512(row(first));
+    result = _mm512_insertf32x4(result, row(first + 4), 1);
+    result = _mm512_insertf32x4(result, row(first + 8), 2);
+    return _mm512_insertf32x4(result, row(first + 12), 3);
+  };
+  const __m512 r0 = four(0);
+  const __m512 r1 = four(1);
+  const __m512 r2 = four(2);
+  const __m512 r3 = four(3);
+  const __m512 t0 = _mm512_unpacklo_ps(r0, r1);
+  const __m512 t1 = _mm512_unpackhi_ps(r0, r1);
+  const __m512 t2 = _mm512_unpacklo_ps(r2, r3);
+  const __m512 t3 = _mm512_unpackhi_ps(r2, r3);
+  rows.x = (Pack)_mm512_shuffle_ps(t0, t2, 0x44);
+  rows.y = (Pack)_mm512_shuffle_ps(t0, t2, 0xEE);
+  rows.z = (Pack)_mm512_shuffle_ps(t1, t3, 0x44);
+  rows.w = (Pack)_mm512_shuffle_ps(t1, t3, 0xEE);
+#elif defined(__AVX2__)
   const auto pair = [&](std::size_t low, std::size_t high) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&table[index[low]].x)),
                                 _mm_load_ps(&table[index[high]].x), 1);
@@ -119,9 +156,13 @@ inline PackRows gather_rows(const Float4* table, const std::uint32_t* index) {
   return rows;
 }
 
-/// 1 where index[0..7] is below `limit`, 0 elsewhere. Both below 2^31.
+/// 1 where an index of a pack is below `limit`, 0 elsewhere. Both below 2^31.
 inline Pack ones_below(const std::uint32_t* index, std::uint32_t limit) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  const __mmask16 below =
+      _mm512_cmplt_epu32_mask(_mm512_loadu_si512(index), _mm512_set1_epi32(static_cast<int>(limit)));
+  return (Pack)_mm512_maskz_mov_ps(below, _mm512_set1_ps(1.0F));
+#elif defined(__AVX2__)
   const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
   const __m256i below = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(limit)), entries);
   return (Pack)_mm256_and_ps(_mm256_castsi256_ps(below), _mm256_set1_ps(1.0F));
@@ -134,7 +175,9 @@ inline Pack ones_below(const std::uint32_t* index, std::uint32_t limit) {
 
 /// Some of the lanes of a pack, in order.
 struct LaneSelection {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  __mmask16 lanes;
+#elif defined(__AVX2__)
   __m256i lanes;
 #else
   std::uint32_t lanes[kPackWidth];
@@ -145,7 +188,11 @@ struct LaneSelection {
 /// The lanes below `valid` whose value is below `limit`.
 inline LaneSelection select_below(Pack value, float limit, std::size_t valid = kPackWidth) {
   LaneSelection selection;
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  selection.lanes = _mm512_cmp_ps_mask((__m512)value, _mm512_set1_ps(limit), _CMP_LT_OQ);
+  if (valid < kPackWidth) selection.lanes &= static_cast<__mmask16>((1U << valid) - 1U);
+  selection.count = static_cast<std::size_t>(__builtin_popcount(selection.lanes));
+#elif defined(__AVX2__)
   struct Table {
     alignas(64) std::uint8_t lane[256][8];
     constexpr Table() : lane{} {
@@ -173,16 +220,21 @@ inline LaneSelection select_below(Pack value, float limit, std::size_t valid = k
   return selection;
 }
 
-/// Stores the selected lanes one after the other. Eight entries of `out` may be written whatever the count.
+/// Stores the selected lanes one after the other. A pack of entries of `out` may be written whatever the
+/// count.
 inline void store_selected(Pack value, const LaneSelection& selection, float* out) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  _mm512_storeu_ps(out, _mm512_maskz_compress_ps(selection.lanes, (__m512)value));
+#elif defined(__AVX2__)
   _mm256_storeu_ps(out, _mm256_permutevar8x32_ps((__m256)value, selection.lanes));
 #else
   for (std::size_t k = 0; k < selection.count; ++k) out[k] = value[selection.lanes[k]];
 #endif
 }
 inline void store_selected(const std::uint32_t* value, const LaneSelection& selection, std::uint32_t* out) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(selection.lanes, _mm512_loadu_si512(value)));
+#elif defined(__AVX2__)
   const __m256i entries = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(value));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permutevar8x32_epi32(entries, selection.lanes));
 #else
@@ -192,7 +244,11 @@ inline void store_selected(const std::uint32_t* value, const LaneSelection& sele
 
 /// Stores first + lane for the selected lanes.
 inline void store_selected_rows(std::uint32_t first, const LaneSelection& selection, std::uint32_t* out) {
-#if defined(__AVX2__)
+#if defined(__AVX512F__)
+  const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i rows = _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(first)), lanes);
+  _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(selection.lanes, rows));
+#elif defined(__AVX2__)
   const __m256i rows = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)), selection.lanes);
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), rows);
 #else
@@ -200,8 +256,8 @@ inline void store_selected_rows(std::uint32_t first, const LaneSelection& select
 #endif
 }
 
-/// Appends to `out` the entries of index[0..7] whose `squared` is below `limit`, in order; returns how many.
-/// Up to eight entries may be written whatever the count.
+/// Appends to `out` the entries of a pack of indices whose `squared` is below `limit`, in order; returns how
+/// many. A pack of entries may be written whatever the count.
 inline std::size_t append_below(Pack squared, float limit, const std::uint32_t* index, std::uint32_t* out) {
   const LaneSelection selection = select_below(squared, limit);
   store_selected(index, selection, out);

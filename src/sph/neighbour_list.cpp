@@ -9,7 +9,11 @@ namespace {
 constexpr std::size_t kCellsPerItem = 48;
 constexpr float kSupportSquared = kKernelSupport * kKernelSupport;
 
-constexpr std::uint32_t kConsecutive[kPackWidth] = {0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<std::uint32_t, kPackWidth> kConsecutive = [] {
+  std::array<std::uint32_t, kPackWidth> lanes{};
+  for (std::uint32_t k = 0; k < kPackWidth; ++k) lanes[k] = k;
+  return lanes;
+}();
 
 Pack load(const float* values) {
   Pack pack;
@@ -88,7 +92,7 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
       for (std::uint32_t row = first; row < last; row += kPackWidth) {
         // Only what is within reach of the cell's box; the last pack may hold rows of other cells, cut off
         // here.
-        const PackRows columns = gather_rows(&table.position[row], kConsecutive);
+        const PackRows columns = gather_rows(&table.position[row], kConsecutive.data());
         const Pack x = excess(columns.x, lower[0], upper[0]);
         const Pack y = excess(columns.y, lower[1], upper[1]);
         Pack squared = x * x + y * y;

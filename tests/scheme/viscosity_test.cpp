@@ -2,6 +2,10 @@
 #include "scheme/pressure_equation.hpp"
 #include "scheme/scenes.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 namespace eisph {
@@ -52,19 +56,83 @@ std::vector<double> relative_drag(const Scene& scene) {
   return sum;
 }
 
-/// nu lap u = -2 nu in the middle of the channel, up to the error of the lattice for shear along its axes:
-/// 12 % too small in 2D, 9 % in 3D. The sources are single-precision numbers near 0.1: 1e-8 of 2e-3.
+/// nu lap u = -2 nu in the middle of the channel, up to the quadrature error of the lattice, whose first
+/// moments are 0.9 % (2D) and 0.6 % (3D) off. The artificial viscosity is off: its form finds less of a shear
+/// along the axes.
 template <int Dim>
-void expect_even_drag(double lattice_factor) {
-  const auto drag = relative_drag<Dim>(channel<Dim>(0.0));
+void expect_even_drag() {
+  Scene scene = channel<Dim>(0.0);
+  scene.artificial_viscosity = 0.0;
+  const auto drag = relative_drag<Dim>(scene);
   for (std::size_t layer = 3; layer < 17; ++layer) {
-    EXPECT_NEAR(drag[layer], lattice_factor, 1e-3) << "layer " << layer;
+    EXPECT_NEAR(drag[layer], 1.0, 0.02) << "layer " << layer;
+    EXPECT_NEAR(drag[layer], drag[10], 1e-3) << "layer " << layer;
   }
 }
 
 TEST(Viscosity, OfAPoiseuilleProfileIsEvenAcrossTheChannel) {
-  expect_even_drag<2>(0.882);
-  expect_even_drag<3>(0.911);
+  expect_even_drag<2>();
+  expect_even_drag<3>();
+}
+
+/// Flux of a film of depth H on a no-slip floor that gravity along it sets going at t = 0, over nu / g:
+/// int (H z - z^2/2) dz - sum 2 / (H k^4) exp(-nu k^2 t), k = (n + 1/2) pi / H.
+double film_flux(double depth, double viscosity, double time) {
+  double flux = depth * depth * depth / 3.0;
+  for (int n = 0; n < 60; ++n) {
+    const double k = (n + 0.5) * std::numbers::pi / depth;
+    flux -= 2.0 / (depth * std::pow(k, 4)) * std::exp(-viscosity * k * k * time);
+  }
+  return flux;
+}
+
+/// That of the particles in the middle of a tank so long that its ends are not felt, over the exact one.
+double relative_flux(double viscosity, double time) {
+  constexpr double kDepth = 0.1;
+  constexpr double kSpacing = 0.01;
+  Scene scene = tank(2, Vec3d(2.4, 0.0, 0.3), kSpacing, box(Vec3d::Zero(), Vec3d(2.4, 0.0, kDepth)));
+  scene.gravity = Vec3d(0.5, 0.0, -9.81);
+  scene.kinematic_viscosity = viscosity;
+  scene.artificial_viscosity = 0.0;
+  scene.faces[kZMin].slip_factor = 0.0;
+  const auto simulation = start(scene);
+  run_until(*simulation, time);
+  const auto snapshot = simulation->snapshot();
+  double flux = 0.0;
+  for (std::size_t k = 0; k < snapshot->size(); ++k) {
+    if (std::abs(snapshot->position[k].x() - 1.2F) < 0.2F) flux += snapshot->velocity[k].x();
+  }
+  flux *= kSpacing * kSpacing / 0.4;
+  return flux / (0.5 / viscosity * film_flux(kDepth, viscosity, time));
+}
+
+TEST(Viscosity, FilmsFlowAsFastAsTheyShouldOverFourDecades) {
+  // The times are those in which momentum spreads over the film, H^2 / nu, where that is short.
+  EXPECT_NEAR(relative_flux(1e-4, 0.5), 1.0, 0.03);
+  EXPECT_NEAR(relative_flux(1e-3, 0.5), 1.0, 0.03);
+  EXPECT_NEAR(relative_flux(0.02, 0.5), 1.0, 0.03);
+  EXPECT_NEAR(relative_flux(1.0, 0.02), 1.0, 0.03);
+}
+
+TEST(Viscosity, AThickerFluidNeverRunsFaster) {
+  const auto front = [](double viscosity) {
+    Scene scene = tank(2, Vec3d(1.2, 0.0, 0.6), 0.01, box(Vec3d::Zero(), Vec3d(0.2, 0.0, 0.4)));
+    scene.kinematic_viscosity = viscosity;
+    scene.faces[kZMin].slip_factor = 0.0;
+    const auto simulation = start(scene);
+    run_until(*simulation, 0.4);
+    float farthest = 0.0F;
+    for (const Vec3f& position : simulation->snapshot()->position) {
+      farthest = std::max(farthest, position.x());
+    }
+    return farthest;
+  };
+  float before = front(1e-3);
+  for (const double viscosity : {0.01, 0.05, 0.2}) {
+    const float here = front(viscosity);
+    EXPECT_LT(here, before) << viscosity << " m^2/s";
+    before = here;
+  }
 }
 
 TEST(Viscosity, NoSlipWallsHoldTheirLayerBackAndFreeSlipWallsDragItAlong) {

@@ -111,14 +111,17 @@ TEST(Pack, ReciprocalSquareRootHoldsItsAccuracyOverManyOrdersOfMagnitude) {
 }
 
 TEST(Pack, PositivePartActsOnEachLane) {
-  const Pack value{-1.0F, 0.0F, 2.0F, -3.5F, 4.0F, -0.0F, 1e-30F, -1e30F};
+  constexpr std::array<float, 8> kValues = {-1.0F, 0.0F, 2.0F, -3.5F, 4.0F, -0.0F, 1e-30F, -1e30F};
+  Pack value{};
+  for (std::size_t lane = 0; lane < kPackWidth; ++lane) value[lane] = kValues[(lane + lane / 8) % 8];
   const Pack result = positive_part(value);
   for (std::size_t lane = 0; lane < kPackWidth; ++lane) EXPECT_EQ(result[lane], std::max(value[lane], 0.0F));
 }
 
 TEST(Pack, HorizontalSumAddsAllLanes) {
-  const Pack value{1.0F, 2.0F, 4.0F, 8.0F, 16.0F, 32.0F, 64.0F, 128.0F};
-  EXPECT_EQ(horizontal_sum(value), 255.0);
+  Pack value{};
+  for (std::size_t lane = 0; lane < kPackWidth; ++lane) value[lane] = static_cast<float>(1U << lane);
+  EXPECT_EQ(horizontal_sum(value), std::exp2(kPackWidth) - 1.0);
 }
 
 TEST(Pack, GatheredRowsAreThoseOfTheTable) {
@@ -127,7 +130,8 @@ TEST(Pack, GatheredRowsAreThoseOfTheTable) {
     const auto value = static_cast<float>(row);
     table[row] = {value, value + 0.25F, value + 0.5F, value + 0.75F};
   }
-  const std::array<std::uint32_t, kPackWidth> index = {17, 3, 99, 0, 3, 42, 8, 64};
+  std::array<std::uint32_t, kPackWidth> index{};
+  for (std::uint32_t lane = 0; lane < kPackWidth; ++lane) index[lane] = (17 + 86 * lane * lane) % 100;
   const PackRows rows = gather_rows(table.data(), index.data());
   for (std::size_t lane = 0; lane < kPackWidth; ++lane) {
     const Float4& row = table[index[lane]];
@@ -139,15 +143,19 @@ TEST(Pack, GatheredRowsAreThoseOfTheTable) {
 }
 
 TEST(Pack, HasOnesWhereTheIndexIsBelowTheLimit) {
-  const std::array<std::uint32_t, kPackWidth> index = {17, 3, 99, 0, 16, 42, 18, 2'000'000'000};
+  constexpr std::array<std::uint32_t, 8> kIndices = {17, 3, 99, 0, 16, 42, 18, 2'000'000'000};
+  std::array<std::uint32_t, kPackWidth> index{};
+  for (std::size_t lane = 0; lane < kPackWidth; ++lane) index[lane] = kIndices[(lane + lane / 8) % 8];
   const Pack ones = ones_below(index.data(), 18);
-  const std::array<float, kPackWidth> expected = {1.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F, 0.0F, 0.0F};
-  for (std::size_t lane = 0; lane < kPackWidth; ++lane) EXPECT_EQ(ones[lane], expected[lane]) << lane;
+  for (std::size_t lane = 0; lane < kPackWidth; ++lane) {
+    EXPECT_EQ(ones[lane], index[lane] < 18 ? 1.0F : 0.0F) << lane;
+  }
 }
 
 TEST(Pack, AppendsThoseBelowTheLimitInOrderForEveryPatternOfLanes) {
-  const std::array<std::uint32_t, kPackWidth> index = {10, 11, 12, 13, 14, 15, 16, 17};
-  for (unsigned pattern = 0; pattern < 256; ++pattern) {
+  std::array<std::uint32_t, kPackWidth> index{};
+  for (std::uint32_t lane = 0; lane < kPackWidth; ++lane) index[lane] = 10 + lane;
+  for (unsigned pattern = 0; pattern < 1U << kPackWidth; ++pattern) {
     Pack squared{};
     std::vector<std::uint32_t> expected;
     for (std::size_t lane = 0; lane < kPackWidth; ++lane) {
