@@ -5,6 +5,7 @@
 #include "compare/plot.hpp"
 #include "compare/reference_table.hpp"
 #include "probe/depth_grid.hpp"
+#include "probe/fluid_field.hpp"
 #include "probe/pressure_sensor.hpp"
 
 #include <algorithm>
@@ -155,17 +156,20 @@ void add_pressure_figure(Validator& validator, CaseReport& report, const FrontRe
   report.figures.push_back({path, "Pressure on the front of the block, means over its width."});
 }
 
-/// Height (m) of the highest water within kRunUpReach of the front and across the block: particles of the
-/// bulk, half a spacing added.
-double run_up(const Snapshot& state) {
-  double highest = 0.0;
-  for (std::size_t k = 0; k < state.size(); ++k) {
-    const Vec3f& at = state.position[k];
-    if (at.x() < kFront - kRunUpReach || at.x() > kFront || at.y() > kSide) continue;
-    if (state.number_density[k] < 0.5F) continue;
-    highest = std::max(highest, static_cast<double>(at.z()) + 0.5 * state.particle_spacing);
+/// Height (m) of the highest water within kRunUpReach of the front and across the block, half a spacing above
+/// the highest particle at which the water fraction is at least one half: spray is not water here, nor is it
+/// on the cells of the reference.
+double run_up(const Scene& scene, const Snapshot& state) {
+  const FluidField field(scene, state);
+  std::vector<Vec3d> near;
+  for (const Vec3f& at : state.position) {
+    if (at.x() >= kFront - kRunUpReach && at.x() <= kFront && at.y() <= kSide)
+      near.push_back(at.cast<double>());
   }
-  return highest;
+  std::sort(near.begin(), near.end(), [](const Vec3d& a, const Vec3d& b) { return a.z() > b.z(); });
+  const auto highest =
+      std::find_if(near.begin(), near.end(), [&](const Vec3d& point) { return field.is_wet(point); });
+  return highest == near.end() ? 0.0 : highest->z() + 0.5 * state.particle_spacing;
 }
 
 void judge_levels(Validator& validator, CaseReport& report, const ValidationRun& run) {
@@ -189,12 +193,12 @@ void judge_levels(Validator& validator, CaseReport& report, const ValidationRun&
     add_plot("Level " + gauge + " the block", ours, theirs);
   }
   Curve ours;
-  for (const double time : kStates) ours.add(time, run_up(run.state(time)));
+  for (const double time : kStates) ours.add(time, run_up(run.scene, run.state(time)));
   const Curve theirs = restricted(table.curve("time", "run_up"), kStates.front(), kLastTime);
   add_information(
       report, "run-up", 1000.0 * curve_difference(theirs, ours).rms, "mm",
-      fmt::format("RMS of the highest water within {:g} mm of the front, in EISPH particles of a "
-                  "number density of at least 0.5; highest {:.0f} mm against {:.0f}",
+      fmt::format("RMS of the highest water within {:g} mm of the front, where the water fraction is "
+                  "one half; highest {:.0f} mm against {:.0f}",
                   1000.0 * kRunUpReach, 1000.0 * highest_point(ours).y, 1000.0 * highest_point(theirs).y));
   add_plot("Highest water in front of the block", ours, theirs);
   const auto path = validator.figure_path("levels");
