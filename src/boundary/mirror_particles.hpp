@@ -21,6 +21,9 @@ class MirrorParticles {
             ThreadPool& pool, CellSort::Workspace& workspace);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(images_.size()); }
+  /// Of the k-th image: the particle that it is of, and the code of MirrorPlanes.
+  [[nodiscard]] std::uint32_t origin(std::size_t k) const { return images_[k].origin; }
+  [[nodiscard]] std::uint8_t code(std::size_t k) const { return static_cast<std::uint8_t>(images_[k].code); }
   [[nodiscard]] const std::uint32_t* start() const { return sort_.start(); }
   [[nodiscard]] std::size_t bytes() const {
     return found_.bytes() + images_.bytes() + block_count_.bytes() + sort_.bytes();

@@ -25,12 +25,14 @@ MirrorPlanes<Dim>::MirrorPlanes(const Scene& scene) {
     const Face& lower = scene.faces[2 * axis];
     const Face& upper = scene.faces[2 * axis + 1];
     std::vector<AxisImage>& images = axis_images_[d];
-    if (mirrors(lower)) images.push_back({1, -1.0F, 0.0F, -1.0F, tangential_factor(lower)});
-    if (mirrors(upper)) images.push_back({2, -1.0F, 2.0F * length, -1.0F, tangential_factor(upper)});
+    const bool low = lower.kind == FaceKind::Symmetry;
+    const bool high = upper.kind == FaceKind::Symmetry;
+    if (mirrors(lower)) images.push_back({1, -1.0F, 0.0F, -1.0F, tangential_factor(lower), low});
+    if (mirrors(upper)) images.push_back({2, -1.0F, 2.0F * length, -1.0F, tangential_factor(upper), high});
     if (mirrors(lower) && mirrors(upper) && length < kReach) {
       const float both = tangential_factor(lower) * tangential_factor(upper);
-      images.push_back({3, 1.0F, -2.0F * length, 1.0F, both});
-      images.push_back({4, 1.0F, 2.0F * length, 1.0F, both});
+      images.push_back({3, 1.0F, -2.0F * length, 1.0F, both, low && high});
+      images.push_back({4, 1.0F, 2.0F * length, 1.0F, both, low && high});
     }
   }
   for (int key = 1; key < kKeys; ++key) {
@@ -38,6 +40,7 @@ MirrorPlanes<Dim>::MirrorPlanes(const Scene& scene) {
     image.scale.fill(1.0F);
     image.shift.fill(0.0F);
     image.velocity.fill(1.0F);
+    image.symmetry = true;
     bool exists = true;
     int rest = key;
     for (int d = Dim - 1; d >= 0; --d) {
@@ -54,11 +57,13 @@ MirrorPlanes<Dim>::MirrorPlanes(const Scene& scene) {
       }
       image.scale[d] = found->scale;
       image.shift[d] = found->shift;
+      image.symmetry = image.symmetry && found->symmetry;
       for (int c = 0; c < Dim; ++c) image.velocity[c] *= c == d ? found->normal : found->tangential;
     }
     if (!exists) continue;
     code_[key] = static_cast<std::uint8_t>(images_.size());
     images_.push_back(image);
+    any_symmetry_ = any_symmetry_ || image.symmetry;
   }
 }
 

@@ -29,6 +29,7 @@ class MirrorPlanes {
     std::array<float, Dim> scale;  ///< xi' = scale xi + shift
     std::array<float, Dim> shift;
     std::array<float, Dim> velocity;  ///< u' = velocity u, by component
+    bool symmetry;                    ///< across planes of symmetry alone
   };
 
   MirrorPlanes() = default;
@@ -36,6 +37,10 @@ class MirrorPlanes {
 
   [[nodiscard]] bool empty() const { return images_.empty(); }
   [[nodiscard]] const Image& image(std::uint8_t code) const { return images_[code]; }
+
+  [[nodiscard]] bool is_symmetry(std::uint8_t code) const { return images_[code].symmetry; }
+  /// Whether any image is one across planes of symmetry alone.
+  [[nodiscard]] bool any_symmetry() const { return any_symmetry_; }
 
   /// Calls body(code) for every image of a particle at xi that lies within a support radius of the domain.
   template <class Body>
@@ -66,7 +71,7 @@ class MirrorPlanes {
   }
 
  private:
-  static constexpr int kOrders = 5;      ///< none, two of the first order, two of the second
+  static constexpr int kOrders = 5;                ///< none, two of the first order, two of the second
   static constexpr float kReach = kKernelSupport;  ///< support radius in smoothing lengths
   static constexpr int kKeys = Dim == 2 ? kOrders * kOrders : kOrders * kOrders * kOrders;
 
@@ -76,12 +81,14 @@ class MirrorPlanes {
     float shift;
     float normal;      ///< factor of the velocity along the axis
     float tangential;  ///< and across it
+    bool symmetry;
   };
 
   std::array<float, Dim> extent_{};
   std::array<std::vector<AxisImage>, Dim> axis_images_;
   std::array<std::uint8_t, kKeys> code_{};
   std::vector<Image> images_;
+  bool any_symmetry_ = false;
 };
 
 }  // namespace eisph

@@ -1,15 +1,19 @@
 #pragma once
 
-#include "boundary/virtual_particles.hpp"
+#include "boundary/solid_sides.hpp"
+#include "core/repulsion.hpp"
 #include "core/scene.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace eisph {
 
 /// The object particles of a scene (thesis section 3.3.2): obstacles and dam walls, which stay, and gates,
-/// which rise or vanish. They take part in every sum like water that does not move.
+/// which rise or vanish. They take part in every sum like water that continues behind the surface. What is
+/// numbered are the sides of the particles (SolidSides): a particle of a thin solid that water on both sides
+/// sees is there twice.
 class SolidParticles {
  public:
   SolidParticles() = default;
@@ -17,16 +21,27 @@ class SolidParticles {
   explicit SolidParticles(const Scene& scene);
 
   [[nodiscard]] std::size_t size() const { return present_.size(); }
+  /// Number of particles, each counted once.
+  [[nodiscard]] std::size_t particles() const { return particles_present_; }
+  /// Whether the k-th is the first side of its particle.
+  [[nodiscard]] bool is_first_side(std::size_t k) const { return present_[k].side == 0; }
+  /// Whether any particle has two sides.
+  [[nodiscard]] bool has_thin_solids() const { return present_.size() > particles_present_; }
   /// Moves the gates to their place at `time`, s. Returns whether anything differs from the last call.
   bool update(double time);
 
-  /// Of the k-th particle present: m (absolute), m^3 (m^2 in 2D), m/s.
+  /// Of the k-th side present: m (absolute), m^3 (m^2 in 2D), m/s.
   [[nodiscard]] Vec3d position(std::size_t k) const;
-  [[nodiscard]] double volume(std::size_t k) const { return particles_[present_[k]].volume; }
+  [[nodiscard]] double volume(std::size_t k) const { return particles_[present_[k].particle].volume; }
   [[nodiscard]] double rise_speed(std::size_t k) const;
-  /// Pressure kept for the k-th particle present, Pa.
-  float& pressure(std::size_t k) { return particles_[present_[k]].pressure; }
-  [[nodiscard]] float pressure(std::size_t k) const { return particles_[present_[k]].pressure; }
+  [[nodiscard]] const SolidSide& side(std::size_t k) const {
+    return particles_[present_[k].particle].sides[present_[k].side];
+  }
+  /// Pressure kept for the k-th side present, Pa.
+  float& pressure(std::size_t k) { return particles_[present_[k].particle].pressure[present_[k].side]; }
+  [[nodiscard]] float pressure(std::size_t k) const {
+    return particles_[present_[k].particle].pressure[present_[k].side];
+  }
 
   /// Largest spacing of the lattices, m.
   [[nodiscard]] double spacing() const { return spacing_; }
@@ -54,20 +69,32 @@ class SolidParticles {
   struct Particle {
     Vec3d position;  ///< closed position
     double volume;
-    float pressure;
     std::uint32_t solid;
+    bool by_gate = false;  ///< of a gate, or so near one that its sides change with it
+    std::uint8_t side_count = 1;
+    std::array<SolidSide, 2> sides{};
+    std::array<float, 2> pressure{};
+  };
+  struct PresentSide {
+    std::uint32_t particle;
+    std::uint32_t side;
   };
 
   /// Outward normal of the solid's surface nearest to `point`, by differences of the distance.
   [[nodiscard]] Vec3d outward_normal(const Solid& solid, const Vec3d& point) const;
+  void mark_near_gates(const Scene& scene);
+  /// The sides of all particles, or of those that may change when a gate does.
+  void find_sides(bool all);
   void list_present();
 
   int dimension_ = 3;
   double spacing_ = 0.0;
   Repulsion repulsion_;
   std::vector<Solid> solids_;
+  SolidSides sides_;
   std::vector<Particle> particles_;
-  std::vector<std::uint32_t> present_;
+  std::vector<PresentSide> present_;
+  std::size_t particles_present_ = 0;
 };
 
 }  // namespace eisph

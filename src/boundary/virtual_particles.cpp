@@ -5,29 +5,6 @@
 
 namespace eisph {
 
-namespace {
-
-/// Nearest that anything counts, in units of the cutoff: what lies on a surface is still pushed inwards.
-constexpr double kNearest = 1e-3;
-
-}  // namespace
-
-Repulsion::Repulsion(const Scene& scene) {
-  const double speed_squared = scene.expected_speed() * scene.expected_speed();
-  cutoff = scene.boundary.repulsion_cutoff * scene.particle_spacing;
-  strength = scene.boundary.repulsion_strength * speed_squared;
-  cap = scene.boundary.repulsion_cap * speed_squared / scene.particle_spacing;
-}
-
-double Repulsion::raw(double distance) const {
-  if (distance >= cutoff || cutoff <= 0.0) return 0.0;
-  const double r = std::max(distance, kNearest * cutoff);
-  const double ratio = cutoff * cutoff / (r * r);  // (r0/r)^2
-  return strength * (ratio * ratio - ratio) / r;
-}
-
-double Repulsion::capped(double distance) const { return std::min(raw(distance), cap); }
-
 template <int Dim>
 VirtualParticles<Dim>::VirtualParticles(const Scene& scene)
     : repulsion_(scene), form_(scene.boundary.repulsion_form) {
@@ -79,7 +56,8 @@ void VirtualParticles<Dim>::add_lattice(const Wall& wall, const std::array<doubl
   std::array<long, Dim> node = first;
   std::array<double, Dim> offset{};
   offset[wall.axis] =
-      std::max((position[wall.axis] - wall.position) * wall.inward, kNearest * cutoff) * wall.inward;
+      std::max((position[wall.axis] - wall.position) * wall.inward, Repulsion::kNearest * cutoff) *
+      wall.inward;
   const int a = wall.axis == 0 ? 1 : 0;
   const int b = Dim - 1 == wall.axis ? Dim - 2 : Dim - 1;
   for (node[a] = first[a]; node[a] <= last[a]; ++node[a]) {

@@ -1,26 +1,13 @@
 #pragma once
 
 #include "boundary/mirror_planes.hpp"
+#include "core/repulsion.hpp"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace eisph {
-
-/// The law of the repulsion (thesis (3.40) as corrected), m/s^2: c^2 [(r0/r)^4 - (r0/r)^2] / r for r < r0,
-/// not more than the cap.
-struct Repulsion {
-  double cutoff = 0.0;    ///< r0, m
-  double strength = 0.0;  ///< c^2 = repulsion_strength Umax^2, m^2/s^2
-  double cap = 0.0;       ///< m/s^2; in units of Umax^2 / dx it is the same at every scale
-
-  Repulsion() = default;
-  explicit Repulsion(const Scene& scene);
-  /// Without the cap.
-  [[nodiscard]] double raw(double distance) const;
-  [[nodiscard]] double capped(double distance) const;
-};
 
 /// Repulsion of the virtual particles on the walls of the tank. The thesis has a lattice of spacing dx/2 on
 /// each wall (3.41), every point of which pushes along the line to it. At the cutoff of 0.4 dx only two to

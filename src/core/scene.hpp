@@ -178,7 +178,7 @@ struct BoundarySettings {
   double repulsion_strength = 1.0;  ///< c^2 / Umax^2
   double repulsion_cap = 5.0;       ///< largest acceleration, in units of Umax^2 / dx
   bool object_repulsion = true;     ///< surfaces of objects repel by the same law
-  bool object_no_slip = true;       ///< objects take part in the viscous sum
+  bool object_no_slip = false;      ///< objects take part in the viscous sum
 
   bool operator==(const BoundarySettings&) const = default;
 };

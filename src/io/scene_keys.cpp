@@ -248,7 +248,7 @@ KeyTable<BoundarySettings> boundary_keys() {
       {{"even", RepulsionForm::Even}, {"lattice", RepulsionForm::Lattice}},
       "By the distance to the wall, or point by point from a lattice of dx/2 as in the thesis (rougher).");
   keys.boolean("object_repulsion", &BoundarySettings::object_repulsion,
-               "Surfaces of obstacles, dams and gates repel by the same law.");
+               "Surfaces of obstacles, dams and gates repel by the same law, within 0.625 of the cutoff.");
   keys.number("repulsion_cutoff", "dx", &BoundarySettings::repulsion_cutoff, above_to(0.0, 1.0),
               "Distance r0 from a virtual particle within which the repulsion acts.");
   keys.number("repulsion_strength", "Umax^2", &BoundarySettings::repulsion_strength, at_least(0.0),
@@ -256,7 +256,7 @@ KeyTable<BoundarySettings> boundary_keys() {
   keys.number("repulsion_cap", "Umax^2 / dx", &BoundarySettings::repulsion_cap, above(0.0),
               "Largest acceleration that the repulsion causes.");
   keys.boolean("object_no_slip", &BoundarySettings::object_no_slip,
-               "Object particles take part in the viscous sum: obstacles are not slippery.");
+               "Object particles take part in the viscous sum: water sticks to solids instead of slipping.");
   return keys;
 }
 

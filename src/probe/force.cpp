@@ -1,9 +1,12 @@
 #include "probe/force.hpp"
 
+#include "core/repulsion.hpp"
 #include "core/scene_geometry.hpp"
 #include "probe/surface_elements.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -20,6 +23,53 @@ bool is_free(const SurfaceElement& element, std::size_t own, const FluidField& f
     if (s != own && field.solids()[s].shape.contains(in_front, field.snapshot().dimension)) return false;
   }
   return true;
+}
+
+/// Unit vector in which the distance to the shape grows fastest, by differences of it.
+Vec3d outward_normal(const Shape& shape, const Vec3d& point, int dimension) {
+  constexpr double kStep = 1e-6;
+  Vec3d normal = Vec3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dimension == 2 && axis == 1) continue;
+    const Vec3d shift = kStep * Vec3d::Unit(axis);
+    normal[axis] =
+        shape.signed_distance(point + shift, dimension) - shape.signed_distance(point - shift, dimension);
+  }
+  const double length = normal.norm();
+  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
+}
+
+/// Adds what the repulsion of the surface pushes back with.
+void add_repulsion(const Shape& shape, const Vec3d& origin, const FluidField& field, WaterForce& result) {
+  const Snapshot& snapshot = field.snapshot();
+  const Repulsion repulsion = repulsion_of_solids(field.scene());
+  if (snapshot.columns || repulsion.cutoff <= 0.0) return;
+  Vec3d lower;
+  Vec3d upper;
+  shape.bounds(lower, upper);
+  lower.array() -= repulsion.cutoff;
+  upper.array() += repulsion.cutoff;
+  if (snapshot.dimension == 2) {
+    lower.y() = -std::numeric_limits<double>::max();
+    upper.y() = std::numeric_limits<double>::max();
+  }
+  WaterForce part;
+  for (const Vec3f& position : snapshot.position) {
+    const Vec3d point = position.cast<double>();
+    if ((point.array() < lower.array()).any() || (point.array() > upper.array()).any()) continue;
+    const double distance = shape.signed_distance(point, snapshot.dimension);
+    if (distance >= repulsion.cutoff) continue;
+    const Vec3d normal = outward_normal(shape, point, snapshot.dimension);
+    const Vec3d push = -snapshot.particle_mass * repulsion.capped(distance) * normal;
+    part.force += push;
+    part.moment += (point - distance * normal - origin).cross(push);
+  }
+  if (part.force.isZero() && part.moment.isZero()) return;
+  double squared = 0.0;
+  for (const Vec3f& velocity : snapshot.velocity) squared = std::max<double>(squared, velocity.squaredNorm());
+  const double growth = repulsion_growth(field.scene(), std::sqrt(squared));
+  result.force += growth * part.force;
+  result.moment += growth * part.moment;
 }
 
 }  // namespace
@@ -45,6 +95,7 @@ WaterForce water_force(const ForceProbe& probe, const FluidField& field) {
     result.moment += (element.point - origin).cross(part);
     result.wetted_area += element.area;
   }
+  add_repulsion(solid->shape, origin, field, result);
   return result;
 }
 

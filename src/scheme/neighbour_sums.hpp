@@ -169,14 +169,10 @@ inline Vector<Dim, double> concentration_gradient(const ParticleSystem<Dim>& par
   return gradient;
 }
 
-/// Repulsion grows with the square of the largest speed, as the step shrinks with that speed: a push stays
-/// the same fraction of dx per step (thesis (3.40): c^2 is of the scale of the square of the largest
-/// velocity).
+/// Factor of all repulsion in this step.
 template <int Dim>
 inline double repulsion_scale(const ParticleSystem<Dim>& particles) {
-  const double reference = particles.scene.expected_speed();
-  if (!(particles.speed_max > reference) || reference <= 0.0) return 1.0;
-  return particles.speed_max * particles.speed_max / (reference * reference);
+  return repulsion_growth(particles.scene, particles.speed_max);
 }
 
 /// Adds the repulsion of walls and solids at `at` (m from the domain's lower corner) times `scale`, m/s^2.

@@ -136,9 +136,10 @@ std::shared_ptr<const Snapshot> ParticleScheme<Dim>::snapshot() const {
   }
   auto objects = std::make_shared<ObjectParticles>();
   objects->spacing = static_cast<float>(p.solids.spacing());
-  objects->position.reserve(p.solids.size());
-  objects->pressure.reserve(p.solids.size());
+  objects->position.reserve(p.solids.particles());
+  objects->pressure.reserve(p.solids.particles());
   for (std::size_t k = 0; k < p.solids.size(); ++k) {
+    if (!p.solids.is_first_side(k)) continue;
     objects->position.emplace_back(p.solids.position(k).template cast<float>());
     objects->pressure.push_back(p.solids.pressure(k));
   }
@@ -165,7 +166,7 @@ RunSummary ParticleScheme<Dim>::summary() const {
   summary.scheme = p.scene.scheme.name;
   summary.dimension = Dim;
   summary.fluid_particles = p.initial_fluid;
-  summary.object_particles = p.solids.size();
+  summary.object_particles = p.solids.particles();
   summary.ghost_particles_max = p.ghost_particles_max;
   summary.threads = p.pool.threads();
   summary.steps = steps_;
@@ -199,7 +200,7 @@ SimulationPlan ParticleScheme<Dim>::plan() const {
   SimulationPlan plan;
   plan.fluid_particles = p.initial_fluid;
   plan.water_volume = p.volume * static_cast<double>(p.initial_fluid);
-  plan.object_particles = p.solids.size();
+  plan.object_particles = p.solids.particles();
   plan.virtual_particles = p.virtual_particles.count();
   plan.ghost_particles = p.count_ghosts();
   plan.time_step = admissible_time_step();

@@ -156,6 +156,10 @@ void ParticleSystem<Dim>::refresh_fluid() {
       rows[i].w = carried[i];
     }
   });
+  pool.run_blocks(objects(), kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) table.position[object_row(k)].w = kept_object_pressure(k);
+  });
+  mirror_object_pressure();
   mirror_motion();
 }
 
@@ -185,6 +189,16 @@ void ParticleSystem<Dim>::fill_objects() {
     (&u.x)[Dim - 1] = static_cast<float>(solids.rise_speed(from));
     u.w = viscous ? static_cast<float>(solids.volume(from)) : 0.0F;
     object_rows_[1][k] = u;
+    const SolidSide& side = solids.side(from);
+    object_rows_[2][k] = object_rows_[3][k] = Float4{};
+    for (int d = 0; d < Dim; ++d) {
+      (&object_rows_[2][k].x)[d] = static_cast<float>(side.normal[scene_axis<Dim>(d)]);
+      (&object_rows_[3][k].x)[d] = static_cast<float>(side.across[scene_axis<Dim>(d)]);
+    }
+    // What lies in the middle belongs to the first side.
+    auto middle = static_cast<float>(side.middle / h);
+    if (!solids.is_first_side(from)) middle = std::nextafter(middle, -1e9F);
+    object_rows_[3][k].w = side.across.isZero() ? -1.0F : middle;
   }
   object_images.find(planes, grid, object_rows_[0].data(), count, pool, sort_workspace_);
 }
@@ -235,7 +249,10 @@ void ParticleSystem<Dim>::find_neighbours() {
   groups[1] = {table.first_object_image, object_images.start(), object_images.size() == 0};
   groups[2] = {table.first_fluid, fluid_sort.start(), fluid == 0};
   groups[3] = {table.first_image, fluid_images.start(), fluid_images.size() == 0};
-  neighbours.build(grid, table, groups, pool);
+  const bool symmetric = planes.any_symmetry();
+  neighbours.build(grid, table, groups, pool, symmetric);
+  if (solids.has_thin_solids()) hide_far_sides();
+  if (symmetric && !solids.empty()) hide_wall_images();
   set_object_sources();
 }
 
@@ -256,27 +273,80 @@ void ParticleSystem<Dim>::set_source_volumes() {
   mirror_source();
 }
 
-/// What drives the pressure at a solid is its own motion alone. Objects without water in reach take no part
-/// in the pressures of the others: their own is zero for want of an equation, not because they are free.
+/// Of a thin solid, water sees only the side that faces it, and that side only this water.
+template <int Dim>
+void ParticleSystem<Dim>::hide_far_sides() {
+  across_.resize(table.first_fluid);
+  std::copy_n(object_rows_[3].data(), solids.size(), across_.data() + table.first_object);
+  object_images.mirror_gradients(planes, across_.data() + table.first_object,
+                                 across_.data() + table.first_object_image, pool);
+  const auto sees = [&](std::uint32_t fluid_row, std::uint32_t object) {
+    if (object >= table.first_fluid) return true;
+    const Float4& across = across_[object];
+    float along = 0.0F;
+    for (int d = 0; d < Dim; ++d) {
+      along += (&across.x)[d] * ((&table.position[fluid_row].x)[d] - (&table.position[object].x)[d]);
+    }
+    return along > across.w;
+  };
+  pool.run_blocks(fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; ++i) {
+      const std::uint32_t row = fluid_row(i);
+      if (!neighbours.of(row).near_object) continue;
+      neighbours.filter(row, [&](std::uint32_t j) { return sees(row, j); });
+    }
+  });
+  pool.run_blocks(objects(), kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t row = object_row(k);
+      if (!neighbours.is_wet(row) || solids.side(object_sort.order()[k]).across.isZero()) continue;
+      neighbours.filter(row, [&](std::uint32_t j) { return sees(j, row); });
+    }
+  });
+}
+
+/// Solids see the water and what is water beyond a plane of symmetry. Images beyond walls have the water's
+/// pressure, not that of water which goes on.
+template <int Dim>
+void ParticleSystem<Dim>::hide_wall_images() {
+  pool.run_blocks(objects(), kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (!neighbours.is_wet(object_row(k))) continue;
+      neighbours.filter(object_row(k), [&](std::uint32_t j) {
+        return j < table.first_image || planes.is_symmetry(fluid_images.code(j - table.first_image));
+      });
+    }
+  });
+}
+
+/// Objects without water in reach take no part in any sum: they know nothing of its pressure.
 template <int Dim>
 void ParticleSystem<Dim>::set_object_sources() {
   pool.run_blocks(solids.size(), kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t row = object_row(k);
-      Float4 source = object_rows_[1][k];
-      (&source.x)[Dim - 1] *= static_cast<float>(scene.scheme.source_factor);
-      source.w = neighbours.is_wet(row) ? static_cast<float>(object_volume(k)) : 0.0F;
-      table.source[row] = source;
+      table.source[row] = {};
+      table.source[row].w = neighbours.is_wet(row) ? static_cast<float>(object_volume(k)) : 0.0F;
     }
   });
-  object_images.mirror_vectors(planes, table.source.data() + table.first_object,
-                               table.source.data() + table.first_object_image, pool);
+  mirror_object_vectors(table.source);
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::mirror_object_vectors(AlignedBuffer<Float4>& rows) {
+  object_images.mirror_vectors(planes, rows.data() + table.first_object,
+                               rows.data() + table.first_object_image, pool);
+}
+
+template <int Dim>
+void ParticleSystem<Dim>::mirror_object_pressure() {
+  object_images.mirror_pressure(table.position.data() + table.first_object,
+                                table.position.data() + table.first_object_image, pool);
 }
 
 template <int Dim>
 void ParticleSystem<Dim>::mirror_pressure() {
-  object_images.mirror_pressure(table.position.data() + table.first_object,
-                                table.position.data() + table.first_object_image, pool);
+  mirror_object_pressure();
   fluid_images.mirror_pressure(fluid_rows(table.position), table.position.data() + table.first_image, pool);
 }
 
@@ -354,8 +424,8 @@ void ParticleSystem<Dim>::add_bytes(std::map<std::string, double>& by_array) con
   add("neighbour_lists", neighbours.bytes());
   add("source_table", table.bytes());
   add("mirror_images", fluid_images.bytes() + object_images.bytes());
-  add("objects", solids.bytes() + object_sort.bytes() +
-                     (object_rows_[0].capacity() + object_rows_[1].capacity()) * sizeof(Float4));
+  add("objects", solids.bytes() + object_sort.bytes() + 4 * object_rows_[0].capacity() * sizeof(Float4) +
+                     across_.bytes());
 }
 
 template struct ParticleSystem<2>;

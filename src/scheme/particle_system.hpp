@@ -69,10 +69,18 @@ struct ParticleSystem {
     return rows.data() + table.first_fluid;
   }
   [[nodiscard]] std::size_t objects() const { return solids.size(); }
-  /// Volume of the k-th solid particle in the order of the table.
+  /// Volume of the k-th solid particle (a side of one, SolidSide) in the order of the table.
   [[nodiscard]] double object_volume(std::size_t k) const { return solids.volume(object_sort.order()[k]); }
   /// Pressure kept with it, Pa.
   float& kept_object_pressure(std::size_t k) { return solids.pressure(object_sort.order()[k]); }
+  /// Outward normal of the surface that the k-th solid particle stands for; zero without one.
+  [[nodiscard]] const Float4& object_normal(std::size_t k) const { return object_rows_[2][k]; }
+  /// Velocity of the solid that it belongs to, m/s.
+  [[nodiscard]] const Float4& object_velocity(std::size_t k) const { return object_rows_[1][k]; }
+  /// The images' rows of `rows` (a column of the table) from those of the solids, as vectors like the
+  /// velocity.
+  void mirror_object_vectors(AlignedBuffer<Float4>& rows);
+  void mirror_object_pressure();
   /// Components along the axes of the solver as a vector of the scene.
   [[nodiscard]] Vec3d scene_vector(const std::array<double, Dim>& components) const;
   /// Position of fluid particle `i`, m from the domain's lower corner.
@@ -133,9 +141,14 @@ struct ParticleSystem {
   void place_particles(const FluidLattice& sites);
   void fill_objects();
   void set_object_sources();
+  void hide_far_sides();
+  void hide_wall_images();
 
-  double placed_at_ = 0.0;              ///< s, time of the boundaries
-  std::vector<Float4> object_rows_[2];  ///< positions and velocities in the order of object_sort
+  double placed_at_ = 0.0;  ///< s, time of the boundaries
+  /// Of objects in the order of object_sort: positions, velocities, normals, and of thin ones `across` with
+  /// `middle` as w (SolidSide, in smoothing lengths).
+  std::vector<Float4> object_rows_[4];
+  AlignedBuffer<Float4> across_;  ///< the last of these by row of the table, images as well
   AlignedBuffer<double> scratch_;
   AlignedBuffer<std::uint32_t> scratch_id_;
   CellSort::Workspace sort_workspace_;

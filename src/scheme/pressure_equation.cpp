@@ -1,5 +1,6 @@
 #include "scheme/pressure_equation.hpp"
 
+#include "scheme/bicgstab.hpp"
 #include "scheme/time_step.hpp"
 #include "sph/gradient_correction.hpp"
 
@@ -50,7 +51,7 @@ double convective_source(const ParticleSystem<Dim>& particles, std::uint32_t row
 
 template <int Dim>
 PressureEquation<Dim>::PressureEquation(ParticleSystem<Dim>& particles, bool keeps_source)
-    : particles_(particles), keeps_source_(keeps_source) {
+    : particles_(particles), solids_(particles), keeps_source_(keeps_source) {
   double highest = -std::numeric_limits<double>::infinity();
   double lowest = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < particles.fluid; ++i) {
@@ -76,6 +77,7 @@ void PressureEquation<Dim>::set_source(double time_step) {
   const double omega = p.scene.scheme.source_factor;
   const bool viscous = p.is_viscous() && p.scene.scheme.viscous_source;
   const double scale = repulsion_scale(p);
+  solids_.find_weights();
   if (viscous) p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
@@ -96,6 +98,7 @@ void PressureEquation<Dim>::set_source(double time_step) {
     }
   });
   p.mirror_source();
+  solids_.set_sources(omega, time_step);
 }
 
 template <int Dim>
@@ -119,13 +122,12 @@ typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t r
           particles_.alpha / particles_.h * horizontal_sum(divergence.value)};
 }
 
-/// Free surface that is not being compressed, or too few neighbours for a pressure. Solids have no free
-/// surface.
+/// Free surface that is not being compressed, or too few neighbours for a pressure.
 template <int Dim>
-bool PressureEquation<Dim>::is_pressureless(const Sums& sums, double time_step, bool object) const {
+bool PressureEquation<Dim>::is_pressureless(const Sums& sums, double time_step) const {
   if (sums.coefficient < kCoefficientThreshold * lattice_coefficient()) return true;
-  if (object || sums.number_density >= particles_.scene.scheme.free_surface_threshold) return false;
-  return !sheets_push_ || sums.number_density <= kSheetThreshold || sums.divergence * time_step >= -kDeadZone;
+  if (sums.number_density >= particles_.scene.scheme.free_surface_threshold) return false;
+  return at_start_ || sums.number_density <= kSheetThreshold || sums.divergence * time_step >= -kDeadZone;
 }
 
 template <int Dim>
@@ -144,17 +146,18 @@ double PressureEquation<Dim>::relaxed(const Sums& sums, double time_step) const 
 template <int Dim>
 void PressureEquation<Dim>::relax(double time_step) {
   ParticleSystem<Dim>& p = particles_;
-  const std::size_t objects = p.objects();
   coefficient_.resize(p.fluid);
-  object_pressure_.resize(objects);
-  object_coefficient_.resize(objects);
-  if (keeps_source_) source_term_.resize(unknowns());
+  if (keeps_source_) source_term_.resize(p.fluid);
   const double right_side = source_factor() / time_step;
   p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       Sums row = sums<true>(p.fluid_row(i));
-      const bool free = is_pressureless(row, time_step, false);
+      bool free = is_pressureless(row, time_step);
+      if (free && at_start_ && row.coefficient >= kCoefficientThreshold * lattice_coefficient()) {
+        free = false;
+        row.coefficient += 2.0 * std::max(0.0, lattice_coefficient() - row.coefficient);
+      }
       row.coefficient = std::max(row.coefficient, least_coefficient_);
       p.carried[i] = free ? 0.0F : static_cast<float>(relaxed(row, time_step));
       p.number_density[i] = static_cast<float>(row.number_density);
@@ -162,25 +165,16 @@ void PressureEquation<Dim>::relax(double time_step) {
       if (keeps_source_) source_term_[i] = static_cast<float>(right_side * row.divergence);
     }
   });
-  p.pool.run_blocks(objects, kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) {
-      object_pressure_[k] = 0.0F;
-      object_coefficient_[k] = 0.0F;
-      if (!p.neighbours.is_wet(p.object_row(k))) continue;
-      const Sums row = sums<false>(p.object_row(k));
-      if (is_pressureless(row, time_step, true)) continue;
-      object_pressure_[k] = static_cast<float>(relaxed(row, time_step));
-      object_coefficient_[k] = static_cast<float>(row.coefficient);
-      if (keeps_source_) source_term_[p.fluid + k] = static_cast<float>(right_side * row.divergence);
-    }
-  });
   if (!p.scene.scheme.clamp_pressure && is_closed()) remove_mean_pressure();
 }
 
 template <int Dim>
 bool PressureEquation<Dim>::is_closed() const {
-  const float* first = coefficient_.data();
-  return std::find(first, first + particles_.fluid, 0.0F) == first + particles_.fluid;
+  const double threshold = particles_.scene.scheme.free_surface_threshold;
+  for (std::size_t i = 0; i < particles_.fluid; ++i) {
+    if (coefficient_[i] == 0.0F || particles_.number_density[i] < threshold) return false;
+  }
+  return true;
 }
 
 /// In a closed domain the pressure is known up to a constant: that of mean zero over the fluid.
@@ -190,23 +184,15 @@ void PressureEquation<Dim>::remove_mean_pressure() {
   for (std::size_t i = 0; i < particles_.fluid; ++i) sum += particles_.carried[i];
   const auto mean = static_cast<float>(sum / particles_.fluid);
   for (std::size_t i = 0; i < particles_.fluid; ++i) particles_.carried[i] -= mean;
-  for (std::size_t k = 0; k < particles_.objects(); ++k) {
-    if (object_coefficient_[k] != 0.0F) object_pressure_[k] -= mean;
-  }
 }
 
 /// And it has a solution only if the sources add up to zero.
 template <int Dim>
 void PressureEquation<Dim>::remove_mean_source() {
   double sum = 0.0;
-  double weights = 0.0;
-  for (std::size_t k = 0; k < unknowns(); ++k) {
-    if (coefficient_of(k) == 0.0F) continue;
-    const double weight = particles_.table.source[unknown_row(k)].w;
-    sum += weight * source_term_[k];
-    weights += weight;
-  }
-  for (std::size_t k = 0; k < unknowns(); ++k) source_term_[k] -= static_cast<float>(sum / weights);
+  for (std::size_t i = 0; i < particles_.fluid; ++i) sum += source_term_[i];
+  const auto mean = static_cast<float>(sum / particles_.fluid);
+  for (std::size_t i = 0; i < particles_.fluid; ++i) source_term_[i] -= mean;
 }
 
 /// -sum A_ij P_j rho0 h^2 / (2 alpha) with the pressures of the table.
@@ -228,45 +214,72 @@ template <int Dim>
 void PressureEquation<Dim>::sweep_again() {
   publish(false);
   particles_.count_pass();
-  particles_.pool.run_blocks(unknowns(), kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) {
-      const float coefficient = coefficient_of(k);
+  particles_.pool.run_blocks(particles_.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; ++i) {
       float pressure = 0.0F;
-      if (coefficient != 0.0F) {
-        const double sum = coefficient_pressure_sum(unknown_row(k));
-        const double density = k < particles_.fluid ? particles_.number_density[k] : 1.0;
-        pressure = static_cast<float>(bounded((sum - source_term_[k]) / coefficient, density));
+      if (coefficient_[i] != 0.0F) {
+        const double sum = coefficient_pressure_sum(particles_.fluid_row(i));
+        const double value = (sum - source_term_[i]) / coefficient_[i];
+        pressure = static_cast<float>(bounded(value, particles_.number_density[i]));
       }
-      pressure_of(k) = pressure;
+      particles_.carried[i] = pressure;
     }
   });
 }
 
-/// Sums over images fold back onto their particles, which keeps the matrix symmetric once each row is
-/// weighted with the particle's volume.
 template <int Dim>
 int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
   ParticleSystem<Dim>& p = particles_;
-  const std::size_t count = unknowns();
+  const bool closed = is_closed();
+  if (closed) remove_mean_source();
+  const int iterations = solids_.empty() ? solve_symmetric(tolerance, most_iterations)
+                                         : solve_with_solids(tolerance, most_iterations);
+  const bool clamp = p.scene.scheme.clamp_pressure;
+  // Without a free surface the lowest pressure is the level that a clamp at zero would set.
+  const double level = closed && clamp ? *std::min_element(pressure_.begin(), pressure_.end()) : 0.0;
+  for (std::size_t i = 0; i < p.fluid; ++i) {
+    if (coefficient_[i] == 0.0F) continue;
+    const double pressure = pressure_[i] - level;
+    p.carried[i] = static_cast<float>(clamp ? std::max(0.0, pressure) : pressure);
+  }
+  if (closed && !clamp) remove_mean_pressure();
+  return iterations;
+}
+
+/// Puts `pressure` into the rows of the fluid that have one.
+template <int Dim>
+void PressureEquation<Dim>::put_into_table(const std::vector<double>& pressure) {
+  ParticleSystem<Dim>& p = particles_;
+  p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; ++i) {
+      p.table.position[p.fluid_row(i)].w = static_cast<float>(pressure[i]);
+    }
+  });
+  p.mirror_pressure();
+}
+
+/// Sums over images fold back onto their particles, which keeps the matrix symmetric.
+template <int Dim>
+int PressureEquation<Dim>::solve_symmetric(double tolerance, int most_iterations) {
+  ParticleSystem<Dim>& p = particles_;
+  const std::size_t count = p.fluid;
   for (std::vector<double>* array : {&diagonal_, &pressure_, &residual_, &direction_, &product_}) {
     array->assign(count, 0.0);
   }
   const auto each = [&](const auto& body) {
     p.pool.run_blocks(count, kBlock, [&](std::size_t first, std::size_t last, int) {
       for (std::size_t k = first; k < last; ++k) {
-        if (coefficient_of(k) != 0.0F) body(k);
+        if (coefficient_[k] != 0.0F) body(k);
       }
     });
   };
-  const bool closed = is_closed();
-  if (closed) remove_mean_source();
   // Sums block by block, so that they do not depend on the number of threads.
   const auto sum = [&](const auto& term) {
     block_sums_.assign((count + kBlock - 1) / kBlock, 0.0);
     p.pool.run_blocks(count, kBlock, [&](std::size_t first, std::size_t last, int) {
       double block = 0.0;
       for (std::size_t k = first; k < last; ++k) {
-        if (coefficient_of(k) != 0.0F) block += term(k);
+        if (coefficient_[k] != 0.0F) block += term(k);
       }
       block_sums_[first / kBlock] = block;
     });
@@ -274,18 +287,14 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
     for (double block : block_sums_) total += block;
     return total;
   };
-  const auto weight = [&](std::size_t k) { return p.table.source[unknown_row(k)].w / p.volume; };
-  const auto weighted_sum = [&](std::size_t k) {
-    return weight(k) * coefficient_pressure_sum(unknown_row(k));
-  };
 
   publish(false);
   p.count_pass();
   each([&](std::size_t k) {
-    diagonal_[k] = weight(k) * coefficient_of(k);
-    pressure_[k] = pressure_of(k);
-    const double right_side = -weight(k) * source_term_[k];
-    residual_[k] = right_side - (diagonal_[k] * pressure_[k] - weighted_sum(k));
+    diagonal_[k] = coefficient_[k];
+    pressure_[k] = p.carried[k];
+    const double right_side = -source_term_[k];
+    residual_[k] = right_side - (diagonal_[k] * pressure_[k] - coefficient_pressure_sum(p.fluid_row(k)));
     product_[k] = right_side;
   });
   const double target =
@@ -294,14 +303,11 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
   each([&](std::size_t k) { direction_[k] = residual_[k] / diagonal_[k]; });
   int iteration = 0;
   for (; iteration < most_iterations && energy > target; ++iteration) {
-    p.pool.run_blocks(count, kBlock, [&](std::size_t first, std::size_t last, int) {
-      for (std::size_t k = first; k < last; ++k) {
-        p.table.position[unknown_row(k)].w = static_cast<float>(direction_[k]);
-      }
-    });
-    p.mirror_pressure();
+    put_into_table(direction_);
     p.count_pass();
-    each([&](std::size_t k) { product_[k] = diagonal_[k] * direction_[k] - weighted_sum(k); });
+    each([&](std::size_t k) {
+      product_[k] = diagonal_[k] * direction_[k] - coefficient_pressure_sum(p.fluid_row(k));
+    });
     const double curvature = sum([&](std::size_t k) { return direction_[k] * product_[k]; });
     if (!(curvature > 0.0)) break;
     const double length = energy / curvature;
@@ -314,16 +320,46 @@ int PressureEquation<Dim>::solve(double tolerance, int most_iterations) {
     each([&](std::size_t k) { direction_[k] = residual_[k] / diagonal_[k] + keep * direction_[k]; });
     energy = next;
   }
-  const bool clamp = p.scene.scheme.clamp_pressure;
-  // Without a free surface the lowest pressure is the level that a clamp at zero would set.
-  const double level =
-      closed && clamp ? *std::min_element(pressure_.begin(), pressure_.begin() + p.fluid) : 0.0;
-  each([&](std::size_t k) {
-    const double pressure = pressure_[k] - level;
-    pressure_of(k) = static_cast<float>(clamp ? std::max(0.0, pressure) : pressure);
-  });
-  if (closed && !clamp) remove_mean_pressure();
   return iteration;
+}
+
+/// The rows divided by their diagonal: P_i - sum a_ij P_j / a_i = -b_i / a_i, where the P_j of solids are
+/// sums of the fluid's and a constant part, which belongs to the right side.
+template <int Dim>
+int PressureEquation<Dim>::solve_with_solids(double tolerance, int most_iterations) {
+  ParticleSystem<Dim>& p = particles_;
+  const std::size_t count = p.fluid;
+  const auto rows = [&](const auto& body) {
+    p.count_pass();
+    p.pool.run_blocks(count, kBlock, [&](std::size_t first, std::size_t last, int) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (coefficient_[i] != 0.0F) body(i, coefficient_pressure_sum(p.fluid_row(i)) / coefficient_[i]);
+      }
+    });
+  };
+  const auto apply = [&](const std::vector<double>& in, std::vector<double>& out) {
+    put_into_table(in);
+    solids_.extrapolate_linear();
+    rows([&](std::size_t i, double others) { out[i] = in[i] - others; });
+  };
+  BiCgStab solver(p.pool);
+  pressure_.assign(count, 0.0);
+  residual_.assign(count, 0.0);
+  put_into_table(pressure_);
+  solids_.extrapolate_unclamped();
+  rows([&](std::size_t i, double others) { residual_[i] = others - source_term_[i] / coefficient_[i]; });
+  const double target = tolerance * std::sqrt(solver.dot(residual_, residual_));
+  bool moved = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (coefficient_[i] != 0.0F) pressure_[i] = p.carried[i];
+    moved = moved || pressure_[i] != 0.0;
+  }
+  if (moved) {
+    product_.assign(count, 0.0);
+    apply(pressure_, product_);
+    for (std::size_t i = 0; i < count; ++i) residual_[i] -= product_[i];
+  }
+  return solver.solve(pressure_, residual_, target, most_iterations, apply);
 }
 
 template <int Dim>
@@ -351,13 +387,12 @@ void PressureEquation<Dim>::publish(bool with_correction) {
   p.pool.run_blocks(p.fluid, 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) rows[i].w = fluid[i];
   });
-  p.pool.run_blocks(p.objects(), 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) {
-      p.table.position[p.object_row(k)].w = object_pressure_[k];
-      p.kept_object_pressure(k) = object_pressure_[k];
-    }
-  });
   p.mirror_pressure();
+  if (with_correction) {
+    solids_.extrapolate_twice();
+  } else {
+    solids_.extrapolate();
+  }
 }
 
 /// The right side of the instant t = 0: the divergence of the acceleration without pressure, less what the
@@ -373,14 +408,15 @@ void PressureEquation<Dim>::set_initial_source() {
     }
   }
   p.mirror_source();
+  solids_.set_sources(0.0, 1.0);
   const bool moves = p.speed_max > 0.0;
-  source_term_.resize(unknowns());
-  p.pool.run_blocks(unknowns(), kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) {
-      if (coefficient_of(k) == 0.0F) continue;
-      double source = sums<false>(unknown_row(k)).divergence;
-      if (moves && k < p.fluid) source -= convective_source(p, unknown_row(k));
-      source_term_[k] = static_cast<float>(source_factor() * source);
+  source_term_.resize(p.fluid);
+  p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (coefficient_[i] == 0.0F) continue;
+      double source = sums<false>(p.fluid_row(i)).divergence;
+      if (moves) source -= convective_source(p, p.fluid_row(i));
+      source_term_[i] = static_cast<float>(source_factor() * source);
     }
   });
 }
@@ -394,22 +430,19 @@ void PressureEquation<Dim>::set_hydrostatic_pressure() {
   for (std::uint32_t i = 0; i < p.fluid; ++i) {
     p.carried[i] = static_cast<float>(weight * (top - p.position[Dim - 1][i]));
   }
-  for (std::size_t k = 0; k < p.objects(); ++k) {
-    if (!p.neighbours.is_wet(p.object_row(k))) continue;
-    const double height = p.h * (&p.table.position[p.object_row(k)].x)[Dim - 1];
-    object_pressure_[k] = static_cast<float>(weight * std::max(0.0, top - height));
-  }
 }
 
+/// While water flows the particles on its surface have no pressure, which puts the surface of the pressure
+/// half a spacing too low: for the instant t = 0 it lies where it should. Neighbours that a particle on the
+/// surface lacks count as its own image with the opposite pressure, which doubles their coefficients.
 template <int Dim>
 void PressureEquation<Dim>::find_initial_pressure() {
   // Density and coefficients; the pressures of this sweep are replaced.
+  at_start_ = true;
   set_source(1.0);
-  sheets_push_ = false;
   relax(1.0);
-  sheets_push_ = true;
+  at_start_ = false;
   particles_.carried.fill(0.0F);
-  object_pressure_.fill(0.0F);
   switch (particles_.scene.scheme.initial_pressure) {
     case InitialPressure::Solve:
       set_initial_source();

@@ -3,6 +3,7 @@
 #include "scheme/blow_bound.hpp"
 #include "scheme/neighbour_sums.hpp"
 #include "scheme/particle_system.hpp"
+#include "scheme/solid_field.hpp"
 
 #include <array>
 #include <cstdint>
@@ -12,9 +13,10 @@ namespace eisph {
 
 /// The pressure equation of incompressible SPH (thesis (3.38), De Castro 2019, section 3.3, as corrected):
 /// P_i = (B_i + sum A_ij P_j) / sum A_ij with A_ij = (2/rho0) V_j x_ij . grad W_ij / (r^2 + eta^2) and
-/// B_i = div s / dt, for the fluid that is not on the free surface and for the wet solids, and what goes with
-/// it: the vector s whose divergence drives it, and the correction of the volume. The fluid's pressures are
-/// the carried scalar of the particles, those of the solids stay with the solids.
+/// B_i = div s / dt, for the fluid that is not on the free surface, and what goes with it: the vector s whose
+/// divergence drives it, and the correction of the volume. The fluid's pressures are the carried scalar of
+/// the particles. Solids have those of the water before them (SolidField): a sweep uses what the sweep before
+/// left; solve() takes them in.
 template <int Dim>
 class PressureEquation {
  public:
@@ -34,9 +36,10 @@ class PressureEquation {
   void relax(double time_step);
   /// A further Jacobi sweep with unchanged coefficients and right side.
   void sweep_again();
-  /// Conjugate gradients from the present pressures on until the residual has fallen to `tolerance` of what
-  /// it would be with no pressure at all, in the norm of the preconditioner (the diagonal). Returns the
-  /// number of iterations; ends at `most_iterations`.
+  /// Solves the equation from the present pressures on until the residual has fallen to `tolerance` of what
+  /// it would be with no pressure at all, preconditioned by the diagonal: by conjugate gradients, or with
+  /// solids, whose pressures depend on those of the fluid and leave the matrix without symmetry, by BiCGStab.
+  /// Returns the number of iterations; ends at `most_iterations`.
   int solve(double tolerance, int most_iterations);
   /// Adds Pc_i = kappa max(0, n_i - 1) / (|sum A| dt^2) for the gradient and the output; it never enters the
   /// next sweep, and does not act on the free surface and on solids.
@@ -49,8 +52,8 @@ class PressureEquation {
   void find_initial_pressure();
 
   [[nodiscard]] std::size_t bytes() const {
-    return coefficient_.bytes() + source_term_.bytes() + object_pressure_.bytes() +
-           object_coefficient_.bytes() + 5 * pressure_.capacity() * sizeof(double);
+    return coefficient_.bytes() + source_term_.bytes() + solids_.bytes() +
+           5 * pressure_.capacity() * sizeof(double);
   }
 
  private:
@@ -64,7 +67,7 @@ class PressureEquation {
   template <bool WithDensity>
   [[nodiscard]] Sums sums(std::uint32_t row) const;
   [[nodiscard]] double coefficient_pressure_sum(std::uint32_t row) const;
-  [[nodiscard]] bool is_pressureless(const Sums& sums, double time_step, bool object) const;
+  [[nodiscard]] bool is_pressureless(const Sums& sums, double time_step) const;
   [[nodiscard]] double relaxed(const Sums& sums, double time_step) const;
   /// `pressure` within what the scheme allows: not negative where the scene clamps it, and bounded in a blow.
   [[nodiscard]] double bounded(double pressure, double number_density) const;
@@ -86,28 +89,20 @@ class PressureEquation {
   void set_initial_source();
   void set_hydrostatic_pressure();
 
-  // Unknowns: the fluid, then the solids in the order of the table.
-  [[nodiscard]] std::size_t unknowns() const { return particles_.fluid + particles_.objects(); }
-  [[nodiscard]] std::uint32_t unknown_row(std::size_t k) const {
-    return k < particles_.fluid ? particles_.fluid_row(k) : particles_.object_row(k - particles_.fluid);
-  }
-  [[nodiscard]] float coefficient_of(std::size_t k) const {
-    return k < particles_.fluid ? coefficient_[k] : object_coefficient_[k - particles_.fluid];
-  }
-  [[nodiscard]] float& pressure_of(std::size_t k) {
-    return k < particles_.fluid ? particles_.carried[k] : object_pressure_[k - particles_.fluid];
-  }
+  /// The two ways of solve(), to the pressures in pressure_.
+  int solve_symmetric(double tolerance, int most_iterations);
+  int solve_with_solids(double tolerance, int most_iterations);
+  void put_into_table(const std::vector<double>& pressure);
 
   ParticleSystem<Dim>& particles_;
+  SolidField<Dim> solids_;
   bool keeps_source_;
   double least_coefficient_ = 0.0;
   double initial_head_ = 0.0;  ///< of the water of t = 0, highest above lowest along gravity, m^2/s^2
   BlowBound blow_bound_;
-  bool sheets_push_ = true;           ///< whether surface particles that are being compressed have a pressure
+  bool at_start_ = false;             ///< relax() is that of find_initial_pressure()
   AlignedBuffer<float> coefficient_;  ///< Sums::coefficient of the fluid, zero where there is no pressure
-  AlignedBuffer<float> source_term_;  ///< right side of the unknowns, Pa
-  AlignedBuffer<float> object_pressure_;  ///< of the solids, in table order, Pa
-  AlignedBuffer<float> object_coefficient_;
+  AlignedBuffer<float> source_term_;  ///< right side of the equation, Pa
   // Of solve().
   std::vector<double> diagonal_, pressure_, residual_, direction_, product_, block_sums_;
 };

@@ -2,6 +2,7 @@
 #include "scheme/particle_scheme.hpp"
 #include "scheme/pressure_equation.hpp"
 #include "scheme/schemes.hpp"
+#include "scheme/solid_field.hpp"
 #include "scheme/time_step.hpp"
 #include "sph/gradient_correction.hpp"
 
@@ -32,8 +33,7 @@ constexpr std::array<RungeKuttaStage, 4> kClassical = {
 ///   ds/dt = -(1 + s) sum V_j (u_j - u_i) . grad W_ij + D,
 /// and the pressure from s. Sums use the volume of water at rest, which conserves momentum and differs from
 /// that of the moment by s, below 1 %. D is nothing, or the density diffusion of delta-SPH,
-/// delta h c0 times DiffusionSum. The pressure of solids is that of the water in reach, extrapolated by its
-/// weight (Adami et al. 2012).
+/// delta h c0 times DiffusionSum. Solids have the velocity and the pressure that SolidField finds for them.
 ///
 /// Symplectic stepping is the leap-frog: viscosity and continuity with u^n, then the pressure gradient with
 /// the new s. The others keep neighbour lists and images over the stages of a step and move only rows.
@@ -43,6 +43,7 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   WeaklyCompressibleScheme(const Scene& scene, int threads, double gamma, Diffusion diffusion)
       : ParticleScheme<Dim>(scene, threads),
         state_{scene.density, scene.scheme.sound_speed, gamma, scene.scheme.clamp_pressure},
+        solids_(this->particles_),
         diffusion_(diffusion) {}
 
  private:
@@ -54,7 +55,7 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   [[nodiscard]] double sound_speed(double) const override { return state_.sound_speed; }
   void add_bytes(std::map<std::string, double>& by_array) const override {
     const std::size_t bytes = rate_.bytes() + start_.bytes() + velocity_sum_.bytes() + rate_sum_.bytes();
-    by_array["rates"] += static_cast<double>(bytes);
+    by_array["rates"] += static_cast<double>(bytes + solids_.bytes());
   }
   [[nodiscard]] double planned_bytes() const override {
     return this->positions_lead() ? sizeof(Float4) : 4.0 * sizeof(Float4);
@@ -72,7 +73,6 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   void find_rates();
   void add_pressure_gradient();
   void publish_pressure();
-  [[nodiscard]] float extrapolated_pressure(std::size_t object) const;
   [[nodiscard]] Components table_position(std::uint32_t row) const {
     Components at;
     for (int d = 0; d < Dim; ++d) at[d] = this->particles_.h * (&this->particles_.table.position[row].x)[d];
@@ -88,6 +88,7 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   }
 
   EquationOfState state_;
+  SolidField<Dim> solids_;
   Diffusion diffusion_;
   AlignedBuffer<Float4> rate_;  ///< x, y, z: acceleration, m/s^2; w: ds/dt, 1/s
   // Of Runge-Kutta methods: velocity and s at the beginning of the step, and weighted sums over its stages.
@@ -238,8 +239,9 @@ void WeaklyCompressibleScheme<Dim>::add_stage(double weight) {
   });
 }
 
-/// Source rows: the volumes, and with renormalised diffusion the gradients of s per smoothing length. With
-/// diffusion the compression of solids stands where that of the fluid does, as w of the positions.
+/// Velocities of solids, and source rows: the volumes, and with renormalised diffusion the gradients of s per
+/// smoothing length. With diffusion the compression of solids stands where that of the fluid does, as w of
+/// the positions.
 template <int Dim>
 void WeaklyCompressibleScheme<Dim>::prepare_sources() {
   ParticleSystem<Dim>& p = this->particles_;
@@ -248,6 +250,8 @@ void WeaklyCompressibleScheme<Dim>::prepare_sources() {
     for (std::size_t i = first; i < last; ++i) p.table.source[p.fluid_row(i)] = {0.0F, 0.0F, 0.0F, volume};
   });
   p.mirror_source();
+  solids_.find_weights();
+  solids_.set_velocities();
   if (diffusion_ == Diffusion::None) return;
   // Beside a solid the gradient is that of water at rest.
   const double per_length = p.h / (state_.sound_speed * state_.sound_speed);
@@ -377,46 +381,7 @@ void WeaklyCompressibleScheme<Dim>::publish_pressure() {
     for (std::size_t i = first; i < last; ++i) p.table.position[p.fluid_row(i)].w = p.pressure[i];
   });
   p.mirror_pressure();
-  if (p.objects() == 0) return;
-  p.pool.run_blocks(p.objects(), kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) p.kept_object_pressure(k) = extrapolated_pressure(k);
-  });
-  p.pool.run_blocks(p.objects(), 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
-    for (std::size_t k = first; k < last; ++k) {
-      p.table.position[p.object_row(k)].w = p.kept_object_pressure(k);
-    }
-  });
-  p.mirror_pressure();
-}
-
-/// sum (P_j + rho0 g . x_ij) W_ij / sum W_ij over the water in reach of solid particle `object`, Pa; zero
-/// without any.
-template <int Dim>
-float WeaklyCompressibleScheme<Dim>::extrapolated_pressure(std::size_t object) const {
-  const ParticleSystem<Dim>& p = this->particles_;
-  const std::uint32_t row = p.object_row(object);
-  const Float4* positions = p.table.position.data();
-  const auto at = [&](std::uint32_t k) {
-    Vector<Dim, float> xi;
-    for (int d = 0; d < Dim; ++d) xi.x[d] = (&positions[k].x)[d];
-    return xi;
-  };
-  const Neighbours near = p.neighbours.of(row);
-  double weight = 0.0;
-  double sum = 0.0;
-  with_kernel(p.scene.kernel, [&](auto kernel) {
-    for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
-      if (*j < p.table.first_fluid) continue;
-      const auto pair = pair_geometry<Dim, float, decltype(kernel)>(at(row), at(*j));
-      const double value = pair.value();
-      double rise = 0.0;
-      for (int d = 0; d < Dim; ++d) rise += p.gravity[d] * p.h * pair.offset.x[d];
-      weight += value;
-      sum += value * (positions[*j].w + state_.density * rise);
-    }
-  });
-  const double pressure = weight > 0.0 ? sum / weight : 0.0;
-  return static_cast<float>(state_.clamp ? std::max(0.0, pressure) : pressure);
+  solids_.extrapolate();
 }
 
 template <int Dim>

@@ -77,14 +77,17 @@ LatticeConstants constants_of(double smoothing_ratio) {
   const double volume = std::pow(spacing, Dim);
   DensitySum<double> density;
   LaplacianSums<double> laplacian;
+  double spread = 0.0;
   LatticeConstants constants;
   visit_nodes<Dim>(spacing, [&](const Vector<Dim, double>& node, bool is_centre) {
     const auto pair = pair_geometry<Dim, double, Kernel>(Vector<Dim, double>{}, node);
     density.add(pair, volume);
     laplacian.add(pair, laplacian_weight(pair), volume, 0.0);
+    spread += volume * pair.value() * node.x[0] * node.x[0];
     if (!is_centre && pair.q < kKernelSupport) ++constants.neighbours;
   });
   constants.number_density = Kernel::template normalisation<Dim>() * density.value;
+  constants.spread = spread / density.value;
   constants.laplacian = -2.0 * Kernel::template normalisation<Dim>() * laplacian.coefficient;
   find_viscous_eigenvalues<Dim, Kernel>(spacing, constants);
   return constants;

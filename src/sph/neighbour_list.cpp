@@ -30,7 +30,7 @@ Pack excess(Pack coordinate, float lower, float upper) {
 
 template <int Dim>
 void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
-                               ThreadPool& pool) {
+                               ThreadPool& pool, bool images_for_objects) {
   workers_.resize(static_cast<std::size_t>(pool.threads()));
   pages_taken_ = 0;
   for (Worker& worker : workers_) {
@@ -49,15 +49,17 @@ void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& tab
       const bool has_fluid = !fluid.empty && fluid.start[cell] != fluid.start[cell + 1];
       if (!has_objects && !has_fluid) continue;
       collect_candidates(grid, table, groups, cell, worker);
+      const auto& start = worker.group_start;
       if (has_fluid) {
         for (std::uint32_t k = fluid.start[cell]; k < fluid.start[cell + 1]; ++k) {
-          make_list(table, fluid.first + k, worker);
+          make_list(table, fluid.first + k, 0, start[4], worker);
         }
       }
       if (has_objects) {
+        const std::size_t end = start[images_for_objects ? 4 : 3];
         for (std::uint32_t k = objects.start[cell]; k < objects.start[cell + 1]; ++k) {
-          if (worker.has_fluid) {
-            make_list(table, objects.first + k, worker);
+          if (start[2] < end) {
+            make_list(table, objects.first + k, start[2], end, worker);
           } else {
             entries_[objects.first + k] = 0;
           }
@@ -71,15 +73,14 @@ template <int Dim>
 void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const SourceTable& table,
                                             const Groups& groups, std::size_t cell, Worker& worker) const {
   std::size_t count = 0;
-  worker.has_fluid = false;
   const auto at = grid.coordinates(cell);
   std::array<float, Dim> lower;
   std::array<float, Dim> upper;
   grid.bounds(at, lower, upper);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const SourceGroup& group = groups[g];
+    worker.group_start[g] = count;
     if (group.empty) continue;
-    const std::size_t before = count;
     grid.for_neighbour_runs(at, [&](std::size_t low, std::size_t high) {
       const std::uint32_t first = group.first + group.start[low];
       const std::uint32_t last = group.first + group.start[high + 1];
@@ -108,13 +109,12 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
         count += near.count;
       }
     });
-    if (g >= 2 && count > before) worker.has_fluid = true;
   }
+  worker.group_start[groups.size()] = count;
   for (std::size_t k = count; k < count + kPackWidth; ++k) {
     worker.x[k] = worker.y[k] = worker.z[k] = SourceTable::kFarAway;
     worker.index[k] = SourceTable::kNothing;
   }
-  worker.candidates = count;
 }
 
 template <int Dim>
@@ -130,8 +130,9 @@ void NeighbourList<Dim>::take_page(Worker& worker, std::size_t room) {
 }
 
 template <int Dim>
-void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index, Worker& worker) {
-  const std::size_t room = worker.candidates + 2 * kPackWidth;
+void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index, std::size_t first,
+                                   std::size_t last, Worker& worker) {
+  const std::size_t room = last - first + 2 * kPackWidth;
   if (worker.used + room > worker.page_size) take_page(worker, room);
 
   const Float4& at = table.position[index];
@@ -140,7 +141,7 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
   const Pack z = splat<Pack>(at.z);
   std::uint32_t* const list = worker.page + worker.used;
   std::uint32_t* out = list;
-  for (std::size_t k = 0; k < worker.candidates; k += kPackWidth) {
+  for (std::size_t k = first; k < last; k += kPackWidth) {
     const Pack dx = load(&worker.x[k]) - x;
     const Pack dy = load(&worker.y[k]) - y;
     Pack squared = dx * dx + dy * dy;
@@ -148,7 +149,9 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
       const Pack dz = load(&worker.z[k]) - z;
       squared += dz * dz;
     }
-    out += append_below(squared, kSupportSquared, &worker.index[k], out);
+    const LaneSelection near = select_below(squared, kSupportSquared, last - k);
+    store_selected(&worker.index[k], near, out);
+    out += near.count;
   }
   const auto count = static_cast<std::size_t>(out - list);
   const bool near_object = count > 0 && list[0] < table.first_fluid;

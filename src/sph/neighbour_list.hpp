@@ -21,8 +21,9 @@ struct Neighbours {
   bool near_object = false;  ///< an object particle or its image is among them
 };
 
-/// Neighbour lists of fluid and object particles: every table entry closer than the support radius. Found
-/// through cells; the order of a list depends only on the order of the table.
+/// Neighbour lists of fluid and object particles: for the fluid every table entry closer than the support
+/// radius, for objects the fluid among them. Found through cells; the order of a list depends only on the
+/// order of the table.
 template <int Dim>
 class NeighbourList {
  public:
@@ -30,7 +31,25 @@ class NeighbourList {
   /// fluid within reach.
   using Groups = std::array<SourceGroup, 4>;
 
-  void build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups, ThreadPool& pool);
+  /// `images_for_objects`: whether the lists of objects hold images of the fluid too.
+  void build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups, ThreadPool& pool,
+             bool images_for_objects);
+
+  /// Takes the entries for which keep(j) is false out of the list of particle `index`. An object without any
+  /// left is no longer wet. Lists of different particles may be filtered at the same time.
+  template <class Keep>
+  void filter(std::uint32_t index, const Keep& keep) {
+    const Neighbours near = of(index);
+    std::uint32_t* const list = pages_[entries_[index] >> kPageShift].data() + (near.begin - page_of(index));
+    std::size_t kept = 0;
+    for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
+      if (*j != SourceTable::kNothing && keep(*j)) list[kept++] = *j;
+    }
+    const std::size_t packs = (kept + kPackWidth - 1) / kPackWidth;
+    for (std::size_t k = kept; k < packs * kPackWidth; ++k) list[k] = SourceTable::kNothing;
+    entries_[index] = (entries_[index] & ~kCountMask) | packs;
+    if (packs == 0) entries_[index] &= ~kWet;
+  }
 
   /// Of particle `index` of the table, which must be a fluid or an object particle.
   [[nodiscard]] Neighbours of(std::uint32_t index) const {
@@ -58,6 +77,10 @@ class NeighbourList {
 
   using Page = AlignedBuffer<std::uint32_t>;
 
+  [[nodiscard]] const std::uint32_t* page_of(std::uint32_t index) const {
+    return pages_[entries_[index] >> kPageShift].data();
+  }
+
   /// What one worker needs: the page in hand and the candidates of the cell in hand.
   struct Worker {
     std::uint32_t* page = nullptr;
@@ -67,13 +90,14 @@ class NeighbourList {
     std::uint64_t listed = 0;  ///< indices in its lists
     AlignedBuffer<float> x, y, z;
     AlignedBuffer<std::uint32_t> index;
-    std::size_t candidates = 0;
-    bool has_fluid = false;
+    std::array<std::size_t, 5> group_start{};  ///< of the candidates of each group, and their end
   };
 
   void collect_candidates(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
                           std::size_t cell, Worker& worker) const;
-  void make_list(const SourceTable& table, std::uint32_t index, Worker& worker);
+  /// The list of particle `index` from the candidates in [first, last).
+  void make_list(const SourceTable& table, std::uint32_t index, std::size_t first, std::size_t last,
+                 Worker& worker);
   /// Lists fill pages that the workers take from a common stock, so that memory does not depend on how the
   /// work happens to be shared out.
   void take_page(Worker& worker, std::size_t room);

@@ -1,5 +1,6 @@
 #include "probe/force.hpp"
 
+#include "core/repulsion.hpp"
 #include "probe/hand_made.hpp"
 
 #include <numbers>
@@ -119,6 +120,28 @@ TEST_P(WaterForceTest, OnAGateGoesWithIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dimension, WaterForceTest, testing::Values(2, 3));
+
+TEST_P(WaterForceTest, IsAlsoWhatTheRepulsionPushesBackWith) {
+  put(wall(0.4, 0.5, 0.0, 0.4));
+  scene_.reference_depth = 0.2;
+  const Repulsion repulsion = repulsion_of_solids(scene_);
+  const double distance = 0.5 * repulsion.cutoff;
+  // One particle at the middle of the tank's width, without pressure, and one just out of reach.
+  const double y = GetParam() == 2 ? 0.0 : 0.25;
+  Snapshot water = hand_made_snapshot(scene_, {Vec3d(0.4 - distance, y, 0.3).cast<float>(),
+                                               Vec3d(0.4 - 1.1 * repulsion.cutoff, y, 0.2).cast<float>()});
+  const double push = water.particle_mass * repulsion.capped(distance);
+  ASSERT_GT(push, 0.0);
+  EXPECT_NEAR(force(water).force.x(), push, 1e-3 * push);
+  EXPECT_NEAR(force(water).force.z(), 0.0, 1e-6 * push);
+  // Above the base by 0.2 m, turning it about the y axis.
+  EXPECT_NEAR(force(water).moment.y(), 0.2 * push, 1e-3 * push);
+  // It grows with the square of the speed once that is larger than expected.
+  water.velocity[1] = Vec3f(2.0F * static_cast<float>(scene_.expected_speed()), 0.0F, 0.0F);
+  EXPECT_NEAR(force(water).force.x(), 4.0 * push, 4e-3 * push);
+  scene_.boundary.object_repulsion = false;
+  EXPECT_EQ(force(water).force.x(), 0.0);
+}
 
 TEST(WaterForceAround, BlocksInStillWaterAddsUpToNothingSideways) {
   for (const double rotation : {0.0, 0.5}) {

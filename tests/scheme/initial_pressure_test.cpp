@@ -18,18 +18,13 @@ Scene gated_column(double start_time) {
 
 TEST(InitialPressure, IsHydrostaticInAClosedTank) {
   const auto simulation = start(still_water_2d());
-  // The surface of the pressure equation lies at the uppermost particles, not half a spacing above them:
-  // within that, 3 % of the depth.
-  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.15), 0.03);
-  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.145), 0.01);
+  // Up to the true surface, half a spacing above the uppermost particles.
+  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.15), 0.01);
 }
 
 TEST(InitialPressure, IsHydrostaticBehindAClosedGate) {
   const auto simulation = start(gated_column(0.5));
-  // Object particles have a pressure by the same equation, but end at the surface of the gate above the
-  // water: a little less accurate than mirror images. Not so if dry particles deep in the gate drew on its
-  // pressure.
-  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.195), 0.04);
+  EXPECT_LT(hydrostatic_error(*simulation->snapshot(), 0.2), 0.01);
 }
 
 TEST(InitialPressure, FallsAtTheFrontWhenTheGateIsOpen) {

@@ -49,20 +49,32 @@ void expect_list(const ParticleCloud<Dim>& cloud, const NeighbourList<Dim>& list
   EXPECT_EQ(near.near_object, object_found);
 }
 
+/// Compares the list of object `index` with a search through the rows of [first_fluid, end).
 template <int Dim>
-void expect_all_lists(const ParticleCloud<Dim>& cloud, const NeighbourList<Dim>& list) {
+void expect_object_list(const ParticleCloud<Dim>& cloud, const NeighbourList<Dim>& list, std::uint32_t index,
+                        std::uint32_t end) {
+  const auto found = list.is_wet(index) ? entries(list.of(index)) : std::vector<std::uint32_t>{};
+  const std::set<std::uint32_t> unique(found.begin(), found.end());
+  ASSERT_EQ(unique.size(), found.size()) << "an entry comes twice";
+  if (!found.empty()) {
+    ASSERT_GE(*unique.begin(), cloud.table().first_fluid) << "objects see no objects";
+    ASSERT_LT(*unique.rbegin(), end);
+  }
+  for (std::uint32_t j = cloud.table().first_fluid; j < end; ++j) {
+    const double squared = cloud.squared_distance(index, j);
+    const bool decided = std::abs(squared - kSupportSquared) > kUndecided;
+    ASSERT_TRUE(!decided || (unique.count(j) == 1) == (squared < kSupportSquared)) << index << " and " << j;
+  }
+}
+
+template <int Dim>
+void expect_all_lists(const ParticleCloud<Dim>& cloud, const NeighbourList<Dim>& list,
+                      bool images_for_objects = true) {
   const SourceTable& table = cloud.table();
   for (std::uint32_t i = table.first_fluid; i < table.first_image; ++i) expect_list(cloud, list, i);
+  const std::uint32_t end = images_for_objects ? table.end : table.first_image;
   for (std::uint32_t i = table.first_object; i < table.first_object_image; ++i) {
-    bool wet = false;
-    bool undecided = false;
-    for (std::uint32_t j = table.first_fluid; j < table.end; ++j) {
-      const double squared = cloud.squared_distance(i, j);
-      wet |= squared < kSupportSquared;
-      undecided |= std::abs(squared - kSupportSquared) < kUndecided;
-    }
-    ASSERT_TRUE(undecided || list.is_wet(i) == wet) << "object " << i;
-    if (list.is_wet(i)) expect_list(cloud, list, i);
+    expect_object_list(cloud, list, i, end);
   }
 }
 
@@ -87,6 +99,37 @@ TEST(NeighbourList, EqualsASearchOfAllPairsInThePlane) {
     const auto cloud = mixed_cloud<2>(seed);
     cloud.build(list, pool);
     expect_all_lists(cloud, list);
+  }
+}
+
+TEST(NeighbourList, OfObjectsHoldsNoImagesUnlessTheyAreAskedFor) {
+  NeighbourList<2> list;
+  ThreadPool pool(1);
+  for (const unsigned seed : {1U, 20U, 300U}) {
+    const auto cloud = mixed_cloud<2>(seed);
+    cloud.build(list, pool, false);
+    expect_all_lists(cloud, list, false);
+  }
+}
+
+TEST(NeighbourList, AFilterTakesOutWhatIsNotKeptAndLeavesTheOrder) {
+  const auto cloud = mixed_cloud<3>(7);
+  NeighbourList<3> list;
+  ThreadPool pool(1);
+  cloud.build(list, pool);
+  const SourceTable& table = cloud.table();
+  const auto keep = [](std::uint32_t j) { return j % 3 != 0; };
+  for (std::uint32_t i = table.first_fluid; i < table.first_fluid + 50; ++i) {
+    std::vector<std::uint32_t> expected = entries(list.of(i));
+    std::erase_if(expected, [&](std::uint32_t j) { return !keep(j); });
+    const auto next = entries(list.of(i + 1));
+    list.filter(i, keep);
+    EXPECT_EQ(entries(list.of(i)), expected);
+    EXPECT_EQ(entries(list.of(i + 1)), next) << "others stay";
+  }
+  for (std::uint32_t k = table.first_object; k < table.first_object_image; ++k) {
+    list.filter(k, [](std::uint32_t) { return false; });
+    EXPECT_FALSE(list.is_wet(k));
   }
 }
 

@@ -37,7 +37,9 @@ class ParticleCloud {
     }
   }
 
-  void build(NeighbourList<Dim>& list, ThreadPool& pool) const { list.build(grid_, table_, groups_, pool); }
+  void build(NeighbourList<Dim>& list, ThreadPool& pool, bool images_for_objects = true) const {
+    list.build(grid_, table_, groups_, pool, images_for_objects);
+  }
   [[nodiscard]] const SourceTable& table() const { return table_; }
 
   /// Squared distance of two rows of the table, in smoothing lengths.
