@@ -122,7 +122,7 @@ struct SchemeSettings {
   double reference_speed_weight = 1.0;      ///< of the reference speed in the adaptive step
   double time_step = 0.0;                   ///< s, fixed step
   double source_factor = 3.0;               ///< omega (method: symplectic 3, thesis 1)
-  bool viscous_source = true;               ///< viscosity takes part in the source of the pressure equation
+  bool viscous_source = false;              ///< viscosity takes part in the source of the pressure equation
   std::optional<double> volume_correction;  ///< kappa; default min(1, 3 phi), thesis 0.1; 0: off
   int pressure_sweeps = 1;
   double free_surface_threshold = 0.93;  ///< of the normalised number density

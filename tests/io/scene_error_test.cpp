@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         ErrorCase{"smoothing_ratio", "spacing = 0.1", "spacing = 0.1\nsmoothing_ratio = 2.1", 6,
                   {"particles.smoothing_ratio = 2.1", "from 1 to 2"}},
         ErrorCase{"kernel", "spacing = 0.1", "spacing = 0.1\nkernel = \"wendland\"", 6,
-                  {"particles.kernel = \"wendland\"", "one of \"cubic_spline\""}},
+                  {"particles.kernel = \"wendland\"", "one of \"quintic_spline\", \"wendland_c2\", \"cubic_spline\""}},
         ErrorCase{"slip_factor", "z_max = \"open\"", "z_max = 1.5", 15,
                   {"domain.faces.z_max = 1.5", "slip factor from 0 (no slip) to 1 (free slip)"}},
         ErrorCase{"face_word", "z_max = \"open\"", "z_max = \"slippery\"", 15,

@@ -223,15 +223,15 @@ TEST(SceneFile, ThesisSteppingBringsItsOwnParameters) {
   EXPECT_EQ(chosen.scheme.volume_correction, 0.0);
 }
 
-TEST(SceneFile, TheFasterOptionsOfTheSchemeAreTakenOnlyIfGiven) {
+TEST(SceneFile, OptionsThatTradeSpeedForCareAreTakenOnlyIfGiven) {
   SceneLoader loader;
   const Scene scene = loader.load(kSceneText);
   EXPECT_EQ(scene.scheme.reference_speed_weight, 1.0);
-  EXPECT_TRUE(scene.scheme.viscous_source);
+  EXPECT_FALSE(scene.scheme.viscous_source);
   const Scene chosen =
-      loader.load(kSceneText + "[scheme]\nreference_speed_weight = 0.67\nviscous_source = false\n");
+      loader.load(kSceneText + "[scheme]\nreference_speed_weight = 0.67\nviscous_source = true\n");
   EXPECT_EQ(chosen.scheme.reference_speed_weight, 0.67);
-  EXPECT_FALSE(chosen.scheme.viscous_source);
+  EXPECT_TRUE(chosen.scheme.viscous_source);
   EXPECT_EQ(round_trip(chosen), chosen);
 }
 

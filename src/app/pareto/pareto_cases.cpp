@@ -95,9 +95,8 @@ const std::vector<ParetoSetting>& pareto_settings() {
     for (const double value : {0.06, 0.11, 0.17, 0.25}) {
       add(settings, "EISPH", fmt::format("phi {:g}", value), {"scheme.name=eisph"}, phi(value));
     }
-    add(settings, "EISPH", "phi 0.17, fast options",
-        {"scheme.name=eisph", "scheme.reference_speed_weight=0.67", "scheme.viscous_source=false"},
-        phi(0.17));
+    add(settings, "EISPH", "phi 0.17, fast at rest",
+        {"scheme.name=eisph", "scheme.reference_speed_weight=0.67"}, phi(0.17));
     add(settings, "EISPH", "phi 0.25, 2 sweeps", {"scheme.name=eisph", "scheme.pressure_sweeps=2"},
         phi(0.25));
     for (const double value : {0.034, 0.06, 0.114}) {
