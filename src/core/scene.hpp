@@ -31,7 +31,7 @@ struct Face {
   bool operator==(const Face&) const = default;
 };
 
-/// Water: every particle of the lattice inside one of the added shapes and in none of the cut ones.
+/// Water: what lies inside one of the added shapes and in none of the cut ones.
 struct FluidRegion {
   Shape shape;
   bool cut = false;                ///< takes particles out instead of adding them
