@@ -15,15 +15,15 @@ namespace eisph {
 ///   n_s = 0.87 n_e,   n_e = sum over i <= 0, k <= 0 of W(|x_ijk|) / sum over all i, j, k of W(|x_ijk|)
 ///
 /// with x_ijk on a lattice of spacing dx (i and k in 2D): n_e is the number density at the straight edge of
-/// water with two plane surfaces at a right angle, the sharpest form that water keeps. The factor makes 0.5
-/// of it with the cubic spline at h = 1.32 dx, in both dimensions. By particle spacings, 2D / 3D:
+/// water with two plane surfaces at a right angle, the sharpest form that water keeps. The factor makes 0.50
+/// (2D) and 0.51 (3D) of it with the cubic spline at h = 1.32 dx. By particle spacings, 2D / 3D:
 ///
 ///                                            cubic 1.32   Wendland C2     quintic
 ///                                                         1.32 / 1.2      1.4 / 1.2
 ///   lone particle                            0.26 / 0.14  0.32 / 0.24     0.35 / 0.34
 ///   the same on a floor that mirrors it      0.38 / 0.20  0.44 / 0.31     0.47 / 0.42
 ///   two particles 0.7 dx apart               0.44 / 0.23  0.51 / 0.37     0.56 / 0.51
-///   n_s                                      0.50 / 0.50  0.53 / 0.58     0.56 / 0.63
+///   n_s                                      0.50 / 0.51  0.53 / 0.58     0.56 / 0.63
 ///   sheet of one layer in the air            0.52 / 0.53  0.56 / 0.63     0.60 / 0.71
 ///   sheet of two layers, its edge            0.75, 0.57   0.78, 0.61      0.80, 0.64 in 2D
 ///                                            0.76, 0.58   0.81, 0.66      0.86, 0.73 in 3D

@@ -25,7 +25,8 @@ TEST(Line, GoesFromStartToEndInEqualSteps) {
 
 TEST(Line, HoldsTheProfileOfTheWaterAndIsDryAboveIt) {
   for (const int dimension : {2, 3}) {
-    const Scene scene = hand_made_scene(dimension);
+    Scene scene = hand_made_scene(dimension);
+    scene.smoothing_ratio = 1.32;  // the floor is out of reach of the lowest point that is wet
     Snapshot water = still_water(scene, Vec3d(0.4, 0.5, 0.2));
     for (std::size_t k = 0; k < water.size(); ++k)
       water.velocity[k].x() = 3.0F * (water.position[k].z() - 0.1F);
