@@ -2,7 +2,6 @@
 #include "scheme/scheme_scenes.hpp"
 
 #include <numbers>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -108,15 +107,30 @@ TEST(SolidForce, OnASunkenBoxIsItsBuoyancy) {
   expect_buoyancy(sunken_square(), 2.0, kWeight * 0.04, 0.15, 0.03);
 }
 
-TEST(SolidForce, OnASunkenBoxInSpaceIsItsBuoyancy) {
+TEST(SolidForce, OnASunkenDiscIsItsBuoyancy) {
+  Scene scene = sunken_square();
+  Shape disc;
+  disc.kind = ShapeKind::Sphere;
+  disc.centre = Vec3d(0.5, 0.0, 0.3);
+  disc.radius = 0.1;
+  scene.fluid[1].shape = disc;
+  scene.obstacles[0].shape = disc;
+  expect_buoyancy(scene, 2.0, kWeight * std::numbers::pi * 0.01, 0.15, 0.03);
+}
+
+class SolidForceOnATurnedBox : public testing::TestWithParam<int> {};
+
+TEST_P(SolidForceOnATurnedBox, IsItsBuoyancy) {
   Scene scene = tank(3, Vec3d(0.8, 0.8, 0.8), 0.04, box(Vec3d::Zero(), Vec3d(0.8, 0.8, 0.6)));
   FluidRegion hole = scene.fluid[0];
-  hole.shape = box(Vec3d(0.24, 0.24, 0.2), Vec3d(0.56, 0.56, 0.4));
+  hole.shape = box(Vec3d(0.24, 0.24, 0.2), Vec3d(0.56, 0.56, 0.4), GetParam() * std::numbers::pi / 180.0);
   hole.cut = true;
   scene.fluid.push_back(hole);
   scene.obstacles.push_back({"box", hole.shape});
-  expect_buoyancy(with_defaults(scene), 1.0, kWeight * 0.32 * 0.32 * 0.2, 0.15, 0.03);
+  expect_buoyancy(with_defaults(scene), 2.0, kWeight * 0.32 * 0.32 * 0.2, 0.15, 0.03);
 }
+
+INSTANTIATE_TEST_SUITE_P(Degrees, SolidForceOnATurnedBox, testing::Values(0, 17, 30, 45));
 
 class SolidForceOfSchemes : public testing::TestWithParam<const char*> {};
 
