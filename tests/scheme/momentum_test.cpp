@@ -61,10 +61,21 @@ TEST_P(Momentum, OfWaterWithoutWallsAndGravityIsKept) {
   // Pressure and viscous forces are pairwise opposite; each velocity is rounded to 6e-8 of itself and sums of
   // eight terms to about 3e-7 of the largest, at every one of 100 steps.
   EXPECT_LT((after.linear - before.linear).norm(), 1e-5 * before.speeds);
-  if (GetParam().stepping == Stepping::Symplectic) {
-    // The forces are central and act at the positions that move with the new velocity.
-    EXPECT_LT((after.angular - before.angular).norm(), 1e-5 * before.speeds);
-  }
+}
+
+TEST_P(Momentum, OfInertWaterKeepsItsAngularPartToo) {
+  if (GetParam().stepping != Stepping::Symplectic) return;
+  // Pressure is central, and acts at the positions that move with the new velocity. The viscosity of the
+  // fluid is not.
+  Scene scene = colliding_blocks(GetParam().dimension, GetParam().stepping);
+  scene.kinematic_viscosity = 0.0;
+  const auto simulation = start(scene);
+  const Momenta before = momenta(*simulation->snapshot());
+  take_steps(*simulation, 100);
+  const Momenta after = momenta(*simulation->snapshot());
+  EXPECT_LT(after.energies, 0.95 * before.energies) << "forces have acted";
+  EXPECT_LT((after.angular - before.angular).norm(), 1e-5 * before.speeds);
+  EXPECT_LT((after.linear - before.linear).norm(), 1e-5 * before.speeds);
 }
 
 INSTANTIATE_TEST_SUITE_P(Steppings, Momentum,

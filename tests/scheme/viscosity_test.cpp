@@ -56,23 +56,22 @@ std::vector<double> relative_drag(const Scene& scene) {
   return sum;
 }
 
-/// nu lap u = -2 nu in the middle of the channel, up to the quadrature error of the lattice, whose first
-/// moments are 0.9 % (2D) and 0.6 % (3D) off. The artificial viscosity is off: its form finds less of a shear
-/// along the axes.
+/// nu lap u = -2 nu in the middle of the channel: nine tenths of it by the form of Morris, which is exact
+/// here, one by that of Monaghan, which finds 0.778 (2D) and 0.832 (3D) of a shear along the axes of the
+/// lattice at h = 1.4 dx. The artificial viscosity is off.
 template <int Dim>
-void expect_even_drag() {
+void expect_even_drag(double lattice_factor) {
   Scene scene = channel<Dim>(0.0);
   scene.artificial_viscosity = 0.0;
   const auto drag = relative_drag<Dim>(scene);
   for (std::size_t layer = 3; layer < 17; ++layer) {
-    EXPECT_NEAR(drag[layer], 1.0, 0.02) << "layer " << layer;
-    EXPECT_NEAR(drag[layer], drag[10], 1e-3) << "layer " << layer;
+    EXPECT_NEAR(drag[layer], lattice_factor, 1.5e-3) << "layer " << layer;
   }
 }
 
 TEST(Viscosity, OfAPoiseuilleProfileIsEvenAcrossTheChannel) {
-  expect_even_drag<2>();
-  expect_even_drag<3>();
+  expect_even_drag<2>(0.9 + 0.1 * 0.778);
+  expect_even_drag<3>(0.9 + 0.1 * 0.832);
 }
 
 /// Flux of a film of depth H on a no-slip floor that gravity along it sets going at t = 0, over nu / g:
@@ -122,7 +121,8 @@ TEST(Viscosity, AThickerFluidNeverRunsFaster) {
     const auto simulation = start(scene);
     run_until(*simulation, 0.4);
     float farthest = 0.0F;
-    for (const Vec3f& position : simulation->snapshot()->position) {
+    const auto snapshot = simulation->snapshot();
+    for (const Vec3f& position : snapshot->position) {
       farthest = std::max(farthest, position.x());
     }
     return farthest;
