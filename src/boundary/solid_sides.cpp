@@ -35,7 +35,7 @@ SolidSides::SolidSides(const Scene& scene)
 /// All faces of a shape as a point in it sees them: a round one has its nearest and its farthest point.
 std::vector<SolidSides::Face> SolidSides::faces(const Shape& shape, const Vec3d& point) const {
   std::vector<Face> found;
-  const auto add_round = [&](Vec3d offset) {
+  const auto add_round = [&](const Vec3d& offset) {
     const Vec3d outward = radial_direction(offset);
     found.push_back({outward, shape.radius - offset.norm()});
     found.push_back({-outward, shape.radius + offset.norm()});

@@ -144,7 +144,7 @@ inline double default_smoothing_ratio(KernelKind kind, int dimension) {
     case KernelKind::QuinticSpline:
       break;
   }
-  return dimension == 2 ? 1.4 : 1.2;
+  return dimension == 2 ? 1.4 : 1.32;
 }
 
 /// Number density below which a particle is on the free surface unless a scene says otherwise. The first row

@@ -46,7 +46,6 @@ inline Scene taylor_green(double spacing, double viscosity) {
   scene.gravity.setZero();
   scene.faces.fill({FaceKind::Symmetry, 1.0});
   scene.fluid[0].vortex_speed = 1.0;
-  scene.smoothing_ratio = 2.0;
   scene.jitter = 0.2;
   scene.kinematic_viscosity = viscosity;
   scene.artificial_viscosity = 0.0;

@@ -67,7 +67,10 @@ std::vector<PlanePoint> surface_points(const Scene& scene, const Snapshot& state
 }
 
 GridValues pressure_field(const Scene& scene, const Snapshot& state, const Section& section, double height) {
-  const FluidField field(scene, state);
+  // Smoothed over the length of the thesis, 1.32 dx, whatever the scheme's own is.
+  Snapshot smoothed = state;
+  smoothed.smoothing_length = 1.32 * state.particle_spacing;
+  const FluidField field(scene, smoothed);
   GridValues pressure = section_grid(scene, section, height);
   fill(pressure, section.y, [&](const Vec3d& point) {
     return field.is_wet(point) ? field.sample_at(point).pressure : std::numeric_limits<double>::quiet_NaN();
