@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
     Geometry, SceneError,
     testing::Values(
         ErrorCase{"domain_inside_out", "max = [4.0, 1.0, 2.0]", "max = [4.0, -1.0, 2.0]", 13,
-                  {"domain.max = [4.0, -1.0, 2.0]", "-1 m long in y", "at least 0.12 m"}},
+                  {"domain.max = [4.0, -1.0, 2.0]", "-1 m long in y", "at least 0.132 m"}},
         ErrorCase{"domain_narrower_than_the_kernel", "max = [4.0, 1.0, 2.0]", "max = [4.0, 0.1, 2.0]", 13,
                   {"0.1 m long in y", "the smoothing length"}},
         ErrorCase{"no_region", "[[fluid.region]]\nmin = [0.0, 0.0, 0.0]\nmax = [1.0, 1.0, 0.5]", "", 6,
@@ -371,7 +371,7 @@ TEST(SceneErrors, WaterThatOutgrowsTheMemoryIsCountedAgainstIt) {
   EXPECT_NO_THROW((void)load_scene(loader.file(), {}, 200U * 100U * 600U + 1'000'000U));
   const std::string message = error_of<InputError>([&] { (void)load_scene(loader.file(), {}, 10'000'000U); });
   EXPECT_THAT(message,
-              HasSubstr("about 2e+04 fluid particles, the solids and the grids need 0.0127 GB of memory"));
+              HasSubstr("about 2e+04 fluid particles, the solids and the grids need 0.0128 GB of memory"));
   EXPECT_THAT(message, HasSubstr("0.01 GB are available"));
   EXPECT_THAT(message, HasSubstr("expected a spacing of 0.0064 m or more"));
   EXPECT_NO_THROW((void)load_scene(loader.file(), {"particles.spacing=0.0064"}, 10'000'000U));
