@@ -132,7 +132,9 @@ class Blocks {
     return edges_[axis].empty() ? 0 : edges_[axis].size() - 1;
   }
   [[nodiscard]] Index index(std::size_t block) const {
-    return {block % count(0), block / count(0) % count(1), block / (count(0) * count(1))};
+    const std::size_t columns = std::max<std::size_t>(count(0), 1);
+    const std::size_t rows = std::max<std::size_t>(count(1), 1);
+    return {block % columns, block / columns % rows, block / (columns * rows)};
   }
   static std::size_t owner(const std::vector<Box>& boxes, const Vec3d& point) {
     std::size_t last = kDry;

@@ -162,9 +162,10 @@ KeyTable<SchemeSettings> scheme_keys() {
               "Weight omega of the present velocity in the source of the pressure equation.")
       .fallback("3.0, of isph and with thesis stepping 1.0");
   keys.boolean(
-      "viscous_source", &SchemeSettings::viscous_source,
-      "Let the viscous acceleration take part in the source of the pressure equation. Without it the "
-      "viscous sum is found together with the pressure gradient, one pass over the neighbours less.");
+          "viscous_source", &SchemeSettings::viscous_source,
+          "Let the viscous acceleration take part in the source of the pressure equation. Without it the "
+          "viscous sum is found together with the pressure gradient, one pass over the neighbours less.")
+      .fallback("false; of isph and with thesis stepping true");
   keys.add(
           {.name = "volume_correction",
            .type = "\"automatic\" or a number from 0 to 4",

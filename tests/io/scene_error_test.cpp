@@ -1,6 +1,6 @@
 #include "io/scene_text.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <ostream>
 
 #include <gmock/gmock.h>
@@ -371,7 +371,7 @@ TEST(SceneErrors, WaterThatOutgrowsTheMemoryIsCountedAgainstIt) {
   EXPECT_NO_THROW((void)load_scene(loader.file(), {}, 200U * 100U * 600U + 1'000'000U));
   const std::string message = error_of<InputError>([&] { (void)load_scene(loader.file(), {}, 10'000'000U); });
   EXPECT_THAT(message,
-              HasSubstr("about 2e+04 fluid particles, the solids and the grids need 0.0128 GB of memory"));
+              HasSubstr("about 2e+04 fluid particles, the solids and the grids need 0.0127 GB of memory"));
   EXPECT_THAT(message, HasSubstr("0.01 GB are available"));
   EXPECT_THAT(message, HasSubstr("expected a spacing of 0.0064 m or more"));
   EXPECT_NO_THROW((void)load_scene(loader.file(), {"particles.spacing=0.0064"}, 10'000'000U));
@@ -379,9 +379,10 @@ TEST(SceneErrors, WaterThatOutgrowsTheMemoryIsCountedAgainstIt) {
 
 TEST(SceneErrors, AbsurdCountIsFoundAtOnce) {
   SceneLoader loader;
-  const auto start = std::chrono::steady_clock::now();
+  // Time of the processor, which does not depend on what else the machine does.
+  const std::clock_t start = std::clock();
   EXPECT_FALSE(loader.error(edited(kSceneText, "spacing = 0.1", "spacing = 1e-7")).empty());
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+  EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
 }
 
 }  // namespace

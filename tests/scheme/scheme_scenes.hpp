@@ -34,7 +34,10 @@ inline Scene with_method(Scene scene, const Method& method) {
   scheme.name = method.scheme;
   scheme.stepping = method.stepping;
   if (method.stepping == Stepping::Thesis) scheme.phi = 0.06;
-  if (method.stepping == Stepping::Thesis || method.scheme == "isph") scheme.source_factor = 1.0;
+  if (method.stepping == Stepping::Thesis || method.scheme == "isph") {
+    scheme.source_factor = 1.0;
+    scheme.viscous_source = true;
+  }
   scheme.sound_speed = 10.0 * scene.expected_speed();
   scheme.courant = method.stepping == Stepping::RungeKutta ? 1.25 : 0.25;
   return scene;
@@ -46,6 +49,8 @@ inline Scene taylor_green(double spacing, double viscosity) {
   scene.gravity.setZero();
   scene.faces.fill({FaceKind::Symmetry, 1.0});
   scene.fluid[0].vortex_speed = 1.0;
+  scene.kernel = KernelKind::CubicSpline;
+  scene.smoothing_ratio = 2.0;
   scene.jitter = 0.2;
   scene.kinematic_viscosity = viscosity;
   scene.artificial_viscosity = 0.0;
