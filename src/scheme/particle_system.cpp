@@ -70,6 +70,7 @@ void ParticleSystem<Dim>::place_particles(const FluidLattice& sites) {
 
 template <int Dim>
 void ParticleSystem<Dim>::set_viscosities() {
+  projects = scene.scheme.name == "isph" || scene.scheme.stepping == Stepping::Thesis;
   laminar_viscosity = scene.kinematic_viscosity;
   artificial_viscosity = artificial_kinematic_viscosity(scene);
 }

@@ -103,9 +103,10 @@ struct ParticleSystem {
   CellGrid<Dim> grid;
 
   // Constants of the run.
-  double h = 0.0;                     ///< smoothing length, m
-  double alpha = 0.0;                 ///< kernel normalisation, m^-Dim
-  double volume = 0.0;                ///< of a fluid particle, m^3 (m^2 in 2D)
+  double h = 0.0;         ///< smoothing length, m
+  double alpha = 0.0;     ///< kernel normalisation, m^-Dim
+  double volume = 0.0;    ///< of a fluid particle, m^3 (m^2 in 2D)
+  bool projects = false;  ///< the velocity with all but the pressure is projected as a whole (isph, thesis)
   double laminar_viscosity = 0.0;     ///< of the fluid, m^2/s
   double artificial_viscosity = 0.0;  ///< as a kinematic one, m^2/s
   std::array<double, Dim> gravity{};
