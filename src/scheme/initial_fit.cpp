@@ -57,7 +57,7 @@ void add_gaps(const ParticleSystem<Dim>& p, InitialFit& fit) {
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);
     for (const int side : {0, 1}) {
-      const auto face = static_cast<std::size_t>(2 * axis + side);
+      const std::size_t face = 2 * static_cast<std::size_t>(axis) + static_cast<std::size_t>(side);
       if (scene.faces[face].kind == FaceKind::Open) continue;
       double distance = std::numeric_limits<double>::infinity();
       visit_places(p, [&](const Vec3d& at) {
