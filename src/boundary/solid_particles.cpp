@@ -114,26 +114,13 @@ double SolidParticles::rise_speed(std::size_t k) const {
   return solids_[particles_[present_[k].particle].solid].rise_speed;
 }
 
-Vec3d SolidParticles::outward_normal(const Solid& solid, const Vec3d& point) const {
-  const double step = 1e-6;
-  Vec3d normal = Vec3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (dimension_ == 2 && axis == 1) continue;
-    const Vec3d shift = step * Vec3d::Unit(axis);
-    normal[axis] = solid.shape.signed_distance(point + shift, dimension_) -
-                   solid.shape.signed_distance(point - shift, dimension_);
-  }
-  const double length = normal.norm();
-  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
-}
-
 void SolidParticles::add_repulsion(const Vec3d& point, Vec3d& acceleration) const {
   for (const Solid& solid : solids_) {
     if (!solid.present) continue;
     const Vec3d local = point - Vec3d(0.0, 0.0, solid.lift);
     const double distance = solid.shape.signed_distance(local, dimension_);
     if (distance < repulsion_.cutoff) {
-      acceleration += repulsion_.capped(distance) * outward_normal(solid, local);
+      acceleration += repulsion_.capped(distance) * solid.shape.outward_normal(local, dimension_);
     }
   }
 }
@@ -146,7 +133,7 @@ bool SolidParticles::push_out(Vec3d& point, Vec3d& normal) const {
     const double depth = -solid.shape.signed_distance(local, dimension_);
     if (depth <= 0.0) continue;
     inside = true;
-    normal = outward_normal(solid, local);
+    normal = solid.shape.outward_normal(local, dimension_);
     point += (depth * (1.0 + 1e-9) + 1e-12) * normal;
   }
   return inside;

@@ -80,8 +80,6 @@ class SolidParticles {
     std::uint32_t side;
   };
 
-  /// Outward normal of the solid's surface nearest to `point`, by differences of the distance.
-  [[nodiscard]] Vec3d outward_normal(const Solid& solid, const Vec3d& point) const;
   void mark_near_gates(const Scene& scene);
   /// The sides of all particles, or of those that may change when a gate does.
   void find_sides(bool all);

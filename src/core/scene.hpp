@@ -141,6 +141,9 @@ struct SchemeSettings {
   double pressure_tolerance = 1e-3;  ///< of the residual, relative to that of no pressure
   int pressure_iterations = 500;     ///< most of them in a step
 
+  /// Whether a velocity without pressure is projected as a whole: then all that acts but the pressure belongs
+  /// into the source of the pressure equation, and with the weight of one.
+  [[nodiscard]] bool projects_velocity() const { return name == "isph" || stepping == Stepping::Thesis; }
   /// Whether the pressure follows from the density; then the Courant number sets the time step, not phi.
   [[nodiscard]] bool weakly_compressible() const { return name == "wcsph" || name == "delta_sph"; }
 

@@ -34,6 +34,18 @@ double Shape::signed_distance(const Vec3d& point, int dimension) const {
   return std::min(beyond.maxCoeff(), 0.0) + beyond.cwiseMax(0.0).norm();
 }
 
+Vec3d Shape::outward_normal(const Vec3d& point, int dimension) const {
+  constexpr double kStep = 1e-6;
+  Vec3d normal = Vec3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dimension == 2 && axis == 1) continue;
+    const Vec3d shift = kStep * Vec3d::Unit(axis);
+    normal[axis] = signed_distance(point + shift, dimension) - signed_distance(point - shift, dimension);
+  }
+  const double length = normal.norm();
+  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
+}
+
 void Shape::bounds(Vec3d& lower, Vec3d& upper) const {
   switch (kind) {
     case ShapeKind::Sphere:

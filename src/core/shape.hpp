@@ -26,6 +26,9 @@ struct Shape {
   [[nodiscard]] bool contains(const Vec3d& point, int dimension) const {
     return signed_distance(point, dimension) < 0.0;
   }
+  /// Outward normal of the surface nearest to `point`, by differences of the distance; upwards where these
+  /// vanish.
+  [[nodiscard]] Vec3d outward_normal(const Vec3d& point, int dimension) const;
   /// Axis-aligned bounds of the (rotated) shape.
   void bounds(Vec3d& lower, Vec3d& upper) const;
   /// Volume in m^3 (area in m^2 for dimension 2).

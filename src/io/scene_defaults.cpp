@@ -132,10 +132,11 @@ void complete_scheme(Scene& scene, const TomlSource& source) {
     if (!source.given("scheme.phi")) scheme.phi = kThesisPhi;
     if (!scheme.volume_correction) scheme.volume_correction = 0.1;
   }
-  const bool plain_source = scheme.stepping == Stepping::Thesis || scheme.name == "isph";
-  if (plain_source && !source.given("scheme.source_factor")) scheme.source_factor = 1.0;
-  // Where the velocity is projected, what comes after the projection is left in it.
-  if (plain_source && !source.given("scheme.viscous_source")) scheme.viscous_source = true;
+  if (scheme.projects_velocity()) {
+    if (!source.given("scheme.source_factor")) scheme.source_factor = 1.0;
+    // What comes after the projection is left in the velocity.
+    if (!source.given("scheme.viscous_source")) scheme.viscous_source = true;
+  }
   if (scheme.sound_speed == 0.0) scheme.sound_speed = kSoundOverSpeed * scene.expected_speed();
   if (scheme.courant == 0.0) scheme.courant = default_courant(scheme.stepping);
 }

@@ -25,20 +25,6 @@ bool is_free(const SurfaceElement& element, std::size_t own, const FluidField& f
   return true;
 }
 
-/// Unit vector in which the distance to the shape grows fastest, by differences of it.
-Vec3d outward_normal(const Shape& shape, const Vec3d& point, int dimension) {
-  constexpr double kStep = 1e-6;
-  Vec3d normal = Vec3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (dimension == 2 && axis == 1) continue;
-    const Vec3d shift = kStep * Vec3d::Unit(axis);
-    normal[axis] =
-        shape.signed_distance(point + shift, dimension) - shape.signed_distance(point - shift, dimension);
-  }
-  const double length = normal.norm();
-  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
-}
-
 /// Adds what the repulsion of the surface pushes back with.
 void add_repulsion(const Shape& shape, const Vec3d& origin, const FluidField& field, WaterForce& result) {
   const Snapshot& snapshot = field.snapshot();
@@ -59,7 +45,7 @@ void add_repulsion(const Shape& shape, const Vec3d& origin, const FluidField& fi
     if ((point.array() < lower.array()).any() || (point.array() > upper.array()).any()) continue;
     const double distance = shape.signed_distance(point, snapshot.dimension);
     if (distance >= repulsion.cutoff) continue;
-    const Vec3d normal = outward_normal(shape, point, snapshot.dimension);
+    const Vec3d normal = shape.outward_normal(point, snapshot.dimension);
     const Vec3d push = -snapshot.particle_mass * repulsion.capped(distance) * normal;
     part.force += push;
     part.moment += (point - distance * normal - origin).cross(push);

@@ -38,11 +38,7 @@ double compression(ParticleSystem<Dim>& p) {
 /// Calls visit(place) for every particle, m.
 template <int Dim, class Visit>
 void visit_places(const ParticleSystem<Dim>& p, const Visit& visit) {
-  for (std::size_t i = 0; i < p.fluid; ++i) {
-    Vec3d at = p.scene_vector(p.position_of(i));
-    for (int d = 0; d < Dim; ++d) at[scene_axis<Dim>(d)] += p.scene.domain_min[scene_axis<Dim>(d)];
-    visit(at);
-  }
+  for (std::size_t i = 0; i < p.fluid; ++i) visit(p.place_of(i));
 }
 
 template <int Dim>

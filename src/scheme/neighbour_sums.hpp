@@ -3,8 +3,6 @@
 #include "scheme/particle_system.hpp"
 #include "sph/pair_operators.hpp"
 
-#include <algorithm>
-
 namespace eisph {
 
 // The loops over the neighbours of a particle that the schemes share. Each is written once: a scheme that
@@ -28,7 +26,7 @@ inline Vector<Dim, Pack> splat_row(const Float4& row) {
   }
 }
 
-/// Calls body(j, pair, w) for every pack of eight neighbours `near` of table row `row`: their indices, the
+/// Calls body(j, pair, w) for every pack of neighbours `near` of table row `row`: their indices, the
 /// geometry of the pairs (a PairGeometry with the kernel of the scene) and the w of their positions.
 template <int Dim, class Body>
 inline void for_neighbours(const ParticleSystem<Dim>& particles, std::uint32_t row, const Neighbours& near,
@@ -44,7 +42,7 @@ inline void for_neighbours(const ParticleSystem<Dim>& particles, std::uint32_t r
 }
 
 /// The viscous terms of a particle. Artificial viscosity has Monaghan's form, which acts along the line of a
-/// pair and leaves rotation alone. The fluid's own has that of Morris by kPlainPart, which is what a shear
+/// pair and leaves rotation alone. The fluid's own has that of Morris by morris_part, which is what a shear
 /// flow needs (Monaghan's alone makes films on the lattice 19 to 28 % too fast), and Monaghan's for the rest,
 /// which has the right stress on a free surface (Colagrossi, Antuono, Souto-Iglesias & Le Touze 2011;
 /// Morris's alone lets the front of a thick fluid run 4 to 8 % too far). Both are pairwise opposite; that of
@@ -59,31 +57,25 @@ class ViscousTerms {
     const Pack weight = laplacian_weight(pair);
     const Vector<Dim, Pack> other = components<Dim>(neighbour);
     radial_.add(pair, weight, neighbour.w, u, other);
-    if (particles_.laminar_viscosity > 0.0) plain_.add(pair, weight, neighbour.w, u, other);
+    if (particles_.laminar_viscosity > 0.0) morris_.add(pair, weight, neighbour.w, u, other);
   }
   /// nu lap u, m/s^2.
   [[nodiscard]] Vector<Dim, double> acceleration() const {
     const double unit = 2.0 * particles_.alpha / (particles_.h * particles_.h);
-    const double plain =
-        (particles_.projects ? kPlainPartInSource : kPlainPart) * particles_.laminar_viscosity;
-    const double radial = particles_.artificial_viscosity + particles_.laminar_viscosity - plain;
+    const double morris = particles_.morris_part * particles_.laminar_viscosity;
+    const double radial = particles_.artificial_viscosity + particles_.laminar_viscosity - morris;
     Vector<Dim, double> sum;
     for (int d = 0; d < Dim; ++d) {
       sum.x[d] = unit * (Dim + 2) * radial * horizontal_sum(radial_.value.x[d]);
-      if (plain > 0.0) sum.x[d] += unit * plain * horizontal_sum(plain_.value.x[d]);
+      if (morris > 0.0) sum.x[d] += unit * morris * horizontal_sum(morris_.value.x[d]);
     }
     return sum;
   }
 
  private:
-  static constexpr double kPlainPart = 0.9;
-  /// Where velocities are projected after it, Monaghan's form is needed to keep particles apart: Taylor-Green
-  /// vortices by ISPH blow up with 0.9.
-  static constexpr double kPlainPartInSource = 0.3;
-
   const ParticleSystem<Dim>& particles_;
   ViscousSum<Dim, Pack> radial_;
-  VelocityLaplacianSum<Dim, Pack> plain_;
+  VelocityLaplacianSum<Dim, Pack> morris_;
 };
 
 /// nu lap u of table row `row`, m/s^2.

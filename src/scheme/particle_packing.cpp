@@ -43,19 +43,6 @@ std::vector<Shape> solid_shapes(const Scene& scene) {
   return shapes;
 }
 
-Vec3d outward_normal(const Shape& shape, const Vec3d& point, int dimension) {
-  constexpr double kStep = 1e-6;
-  Vec3d normal = Vec3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (dimension == 2 && axis == 1) continue;
-    const Vec3d step = kStep * Vec3d::Unit(axis);
-    normal[axis] =
-        shape.signed_distance(point + step, dimension) - shape.signed_distance(point - step, dimension);
-  }
-  const double length = normal.norm();
-  return length > 0.0 ? Vec3d(normal / length) : Vec3d::UnitZ();
-}
-
 /// Signed distance to the water's surface, negative inside; not beyond the nearest shape, m.
 double water_distance(const Scene& scene, const Vec3d& point) {
   double distance = std::numeric_limits<double>::infinity();
@@ -115,7 +102,7 @@ class Packing {
   /// Places of the members, m.
   [[nodiscard]] std::vector<Vec3d> places() const {
     std::vector<Vec3d> found(particles_.fluid);
-    for (std::uint32_t i = 0; i < particles_.fluid; ++i) found[particles_.id[i]] = place(i);
+    for (std::uint32_t i = 0; i < particles_.fluid; ++i) found[particles_.id[i]] = particles_.place_of(i);
     return found;
   }
 
@@ -129,12 +116,6 @@ class Packing {
     for (const std::uint32_t k : members) chosen.position.push_back(sites.position[k]);
     chosen.velocity.assign(members.size(), Vec3d::Zero());
     return chosen;
-  }
-
-  [[nodiscard]] Vec3d place(std::size_t i) const {
-    Vec3d at = particles_.scene_vector(particles_.position_of(i));
-    for (int d = 0; d < Dim; ++d) at[scene_axis<Dim>(d)] += scene_.domain_min[scene_axis<Dim>(d)];
-    return at;
   }
 
   [[nodiscard]] bool is_air(const Vec3d& point) const {
@@ -235,7 +216,7 @@ class Packing {
         const double length = kDiffusion * p.h * p.h * std::sqrt(squared);
         const double most = kLongestMove * spacing_;
         const double scale = kDiffusion * p.h * p.h * (length > most ? most / length : 1.0);
-        Vec3d at = place(i);
+        Vec3d at = particles_.place_of(i);
         const Vec3d before = at;
         for (int d = 0; d < Dim; ++d) at[scene_axis<Dim>(d)] += scale * step.x[d];
         keep_clear(at, before);
@@ -251,7 +232,7 @@ class Packing {
       for (const Shape& solid : solids_) {
         const double clearance = (is_loose(solid) ? kClearance : kFlatClearance) * spacing_;
         const double distance = solid.signed_distance(at, Dim);
-        if (distance < clearance) at += (clearance - distance) * outward_normal(solid, at, Dim);
+        if (distance < clearance) at += (clearance - distance) * solid.outward_normal(at, Dim);
       }
     }
     const double clearance = kFlatClearance * spacing_;

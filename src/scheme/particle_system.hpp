@@ -56,7 +56,7 @@ struct ParticleSystem {
   /// A pass over all neighbour lists is about to be made.
   void count_pass() { pair_evaluations += static_cast<double>(neighbours.total()); }
 
-  /// Both viscosities from those of the scene.
+  /// The viscosities from those of the scene.
   void set_viscosities();
   [[nodiscard]] bool is_viscous() const { return laminar_viscosity > 0.0 || artificial_viscosity > 0.0; }
   [[nodiscard]] std::uint32_t fluid_row(std::size_t i) const {
@@ -85,6 +85,8 @@ struct ParticleSystem {
   [[nodiscard]] Vec3d scene_vector(const std::array<double, Dim>& components) const;
   /// Position of fluid particle `i`, m from the domain's lower corner.
   [[nodiscard]] std::array<double, Dim> position_of(std::size_t i) const;
+  /// The same in the coordinates of the scene, m.
+  [[nodiscard]] Vec3d place_of(std::size_t i) const;
   /// Height of the highest fluid particle above the floor of the domain, m.
   [[nodiscard]] double highest_particle() const;
   /// Particles that have disappeared or stand where no water can be.
@@ -103,11 +105,11 @@ struct ParticleSystem {
   CellGrid<Dim> grid;
 
   // Constants of the run.
-  double h = 0.0;         ///< smoothing length, m
-  double alpha = 0.0;     ///< kernel normalisation, m^-Dim
-  double volume = 0.0;    ///< of a fluid particle, m^3 (m^2 in 2D)
-  bool projects = false;  ///< the velocity with all but the pressure is projected as a whole (isph, thesis)
+  double h = 0.0;                     ///< smoothing length, m
+  double alpha = 0.0;                 ///< kernel normalisation, m^-Dim
+  double volume = 0.0;                ///< of a fluid particle, m^3 (m^2 in 2D)
   double laminar_viscosity = 0.0;     ///< of the fluid, m^2/s
+  double morris_part = 0.0;           ///< of it in the form of Morris (ViscousTerms)
   double artificial_viscosity = 0.0;  ///< as a kinematic one, m^2/s
   std::array<double, Dim> gravity{};
   std::array<double, Dim> extent{};

@@ -127,7 +127,9 @@ template <int Dim>
 bool PressureEquation<Dim>::is_pressureless(const Sums& sums, double time_step) const {
   if (sums.coefficient < kCoefficientThreshold * lattice_coefficient()) return true;
   if (sums.number_density >= particles_.scene.scheme.free_surface_threshold) return false;
-  return at_start_ || sums.number_density <= kSheetThreshold || sums.divergence * time_step >= -kDeadZone;
+  // At t = 0 the surface has a pressure too.
+  if (at_start_) return false;
+  return sums.number_density <= kSheetThreshold || sums.divergence * time_step >= -kDeadZone;
 }
 
 template <int Dim>
@@ -153,9 +155,8 @@ void PressureEquation<Dim>::relax(double time_step) {
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       Sums row = sums<true>(p.fluid_row(i));
-      bool free = is_pressureless(row, time_step);
-      if (free && at_start_ && row.coefficient >= kCoefficientThreshold * lattice_coefficient()) {
-        free = false;
+      const bool free = is_pressureless(row, time_step);
+      if (at_start_ && !free && row.number_density < p.scene.scheme.free_surface_threshold) {
         row.coefficient += 2.0 * std::max(0.0, lattice_coefficient() - row.coefficient);
       }
       row.coefficient = std::max(row.coefficient, least_coefficient_);

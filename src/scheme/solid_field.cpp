@@ -174,7 +174,7 @@ void SolidField<Dim>::set_sources(double omega, double time_step) {
   p.mirror_object_vectors(p.table.source);
 }
 
-/// Carried pressures of the fluid rows j[0..7] and of the originals of images among them.
+/// Carried pressures of the fluid rows of a pack of indices and of the originals of images among them.
 template <int Dim>
 Pack SolidField<Dim>::carried_pressures(const std::uint32_t* j) const {
   const ParticleSystem<Dim>& p = particles_;
@@ -228,22 +228,23 @@ void SolidField<Dim>::extrapolate_twice() {
 }
 
 template <int Dim>
-void SolidField<Dim>::extrapolate_unclamped() {
+template <class Pressure>
+void SolidField<Dim>::put_into_table(const Pressure& pressure) {
   if (empty()) return;
   for_wet([&](std::size_t k) {
-    const double pressure = extrapolated<false>(k)[0] + rise_[k];
-    particles_.table.position[particles_.object_row(k)].w = static_cast<float>(pressure);
+    particles_.table.position[particles_.object_row(k)].w = static_cast<float>(pressure(k));
   });
   particles_.mirror_object_pressure();
 }
 
 template <int Dim>
+void SolidField<Dim>::extrapolate_unclamped() {
+  put_into_table([&](std::size_t k) { return extrapolated<false>(k)[0] + rise_[k]; });
+}
+
+template <int Dim>
 void SolidField<Dim>::extrapolate_linear() {
-  if (empty()) return;
-  for_wet([&](std::size_t k) {
-    particles_.table.position[particles_.object_row(k)].w = static_cast<float>(extrapolated<false>(k)[0]);
-  });
-  particles_.mirror_object_pressure();
+  put_into_table([&](std::size_t k) { return extrapolated<false>(k)[0]; });
 }
 
 template class SolidField<2>;

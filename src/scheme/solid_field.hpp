@@ -61,6 +61,9 @@ class SolidField {
   void for_wet(const Body& body);
   template <class Pressures>
   void put(const Pressures& pressures);
+  /// What pressure(k) returns, unclamped and not kept.
+  template <class Pressure>
+  void put_into_table(const Pressure& pressure);
   [[nodiscard]] float clamped(double pressure) const;
 
   ParticleSystem<Dim>& particles_;

@@ -34,7 +34,7 @@ inline Scene with_method(Scene scene, const Method& method) {
   scheme.name = method.scheme;
   scheme.stepping = method.stepping;
   if (method.stepping == Stepping::Thesis) scheme.phi = 0.06;
-  if (method.stepping == Stepping::Thesis || method.scheme == "isph") {
+  if (scheme.projects_velocity()) {
     scheme.source_factor = 1.0;
     scheme.viscous_source = true;
   }

@@ -228,11 +228,7 @@ void judge_depths(CaseReport& report, const ValidationRun& run) {
   constexpr double kDry = 0.005;  // m
   const ReferenceTable table = reference_table("block_impact_depth");
   const DepthGridBuilder builder(run.scene);
-  double squares = 0.0;
-  double sum = 0.0;
-  double cells = 0.0;
-  double both = 0.0;
-  double either = 0.0;
+  DepthDifference difference(kDry);
   for (const double time : kDepthTimes) {
     const DepthGrid grid = builder.build(run.state(time));
     const std::vector<double>& theirs = table.column(fmt::format("depth_{:.0f}ms", 1000.0 * time));
@@ -243,20 +239,14 @@ void judge_depths(CaseReport& report, const ValidationRun& run) {
       double ours = grid.at(static_cast<std::size_t>((x - grid.origin_x) / grid.cell_size),
                             static_cast<std::size_t>((y - grid.origin_y) / grid.cell_size));
       if (x > kFront && x < kBack && y < kSide) ours = std::max(ours - kTop, 0.0);
-      squares += (ours - theirs[k]) * (ours - theirs[k]);
-      sum += ours - theirs[k];
-      cells += 1.0;
-      const bool wet = ours > kDry;
-      const bool reference_wet = theirs[k] > kDry;
-      both += wet && reference_wet ? 1.0 : 0.0;
-      either += wet || reference_wet ? 1.0 : 0.0;
+      difference.add(ours, theirs[k]);
     }
   }
-  add_information(report, "depth", 1000.0 * std::sqrt(squares / cells), "mm",
+  add_information(report, "depth", 1000.0 * difference.rms(), "mm",
                   fmt::format("RMS over cells of 40 mm downstream of the reservoir at {} times; mean "
                               "difference {:+.1f} mm",
-                              kDepthTimes.size(), 1000.0 * sum / cells));
-  add_information(report, "wetted area", 100.0 * both / either, "%",
+                              kDepthTimes.size(), 1000.0 * difference.bias()));
+  add_information(report, "wetted area", 100.0 * difference.wetted_overlap(), "%",
                   "wetted by 5 mm in both over wetted in either");
 }
 

@@ -67,10 +67,7 @@ std::vector<PlanePoint> surface_points(const Scene& scene, const Snapshot& state
 }
 
 GridValues pressure_field(const Scene& scene, const Snapshot& state, const Section& section, double height) {
-  // Smoothed over the length of the thesis, 1.32 dx, whatever the scheme's own is.
-  Snapshot smoothed = state;
-  smoothed.smoothing_length = 1.32 * state.particle_spacing;
-  const FluidField field(scene, smoothed);
+  const FluidField field(scene, state);
   GridValues pressure = section_grid(scene, section, height);
   fill(pressure, section.y, [&](const Vec3d& point) {
     return field.is_wet(point) ? field.sample_at(point).pressure : std::numeric_limits<double>::quiet_NaN();
@@ -118,5 +115,22 @@ double speed_rms(const Snapshot& state) {
   for (const Vec3f& velocity : state.velocity) squares += velocity.cast<double>().squaredNorm();
   return std::sqrt(squares / static_cast<double>(state.size()));
 }
+
+void DepthDifference::add(double depth, double reference) {
+  const double difference = depth - reference;
+  squares_ += difference * difference;
+  sum_ += difference;
+  places_ += 1.0;
+  const bool wet = depth > dry_;
+  const bool reference_wet = reference > dry_;
+  both_ += wet && reference_wet ? 1.0 : 0.0;
+  either_ += wet || reference_wet ? 1.0 : 0.0;
+}
+
+double DepthDifference::rms() const { return std::sqrt(squares_ / places_); }
+
+double DepthDifference::bias() const { return sum_ / places_; }
+
+double DepthDifference::wetted_overlap() const { return both_ / std::max(either_, 1.0); }
 
 }  // namespace eisph

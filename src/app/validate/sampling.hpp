@@ -45,4 +45,29 @@ struct Section {
 /// Root mean square of the speed, m/s.
 [[nodiscard]] double speed_rms(const Snapshot& state);
 
+/// Depths of one model against another's, over as many places and times as are added.
+class DepthDifference {
+ public:
+  /// Depths (m) up to `dry` count as none in the overlap of the wetted areas.
+  explicit DepthDifference(double dry) : dry_(dry) {}
+
+  /// Adds the depths (m) of both at one place and time.
+  void add(double depth, double reference);
+
+  /// Root mean square of the difference, m.
+  [[nodiscard]] double rms() const;
+  /// Mean of depth - reference, m.
+  [[nodiscard]] double bias() const;
+  /// Places wetted in both over those wetted in either.
+  [[nodiscard]] double wetted_overlap() const;
+
+ private:
+  double dry_;
+  double squares_ = 0.0;
+  double sum_ = 0.0;
+  double places_ = 0.0;
+  double both_ = 0.0;
+  double either_ = 0.0;
+};
+
 }  // namespace eisph
