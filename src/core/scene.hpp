@@ -127,9 +127,10 @@ struct SchemeSettings {
   int pressure_sweeps = 1;
   double free_surface_threshold = 0.93;  ///< of the normalised number density
   InitialPressure initial_pressure = InitialPressure::Solve;
-  bool clamp_pressure = true;  ///< no negative pressure
-  double shifting = 0.0;       ///< coefficient A of the particle shifting
-  double list_reach = 0.5;     ///< way of the fastest particle for which neighbour lists are kept, over dx
+  bool clamp_pressure = true;    ///< no negative pressure
+  double shifting = 0.0;         ///< coefficient A of the particle shifting
+  double pair_separation = 0.2;  ///< part of what pairs lack of kSeparationReach that a step makes good
+  double list_reach = 0.5;       ///< way of the fastest particle for which neighbour lists are kept, over dx
 
   // Of wcsph and delta_sph.
   double sound_speed = 0.0;  ///< c0, m/s

@@ -131,6 +131,7 @@ void complete_scheme(Scene& scene, const TomlSource& source) {
   if (scheme.stepping == Stepping::Thesis) {
     if (!source.given("scheme.phi")) scheme.phi = kThesisPhi;
     if (!scheme.volume_correction) scheme.volume_correction = 0.1;
+    if (!source.given("scheme.pair_separation")) scheme.pair_separation = 0.0;
   }
   if (scheme.projects_velocity()) {
     if (!source.given("scheme.source_factor")) scheme.source_factor = 1.0;

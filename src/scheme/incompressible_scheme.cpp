@@ -22,20 +22,21 @@ void IncompressibleScheme<Dim>::advance(const StepInHand& step, double source_st
   const bool lead = this->positions_lead();
   const double drift = step.leading_drift();
   p.count_pass();
-  this->motion_.advance(
-      p, step, lead ? 0.5 * time_step : 0.0,
-      [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
-        const std::uint32_t row = p.fluid_row(i);
-        const Vector<Dim, double> acceleration = pressure_acceleration<Dim, Viscous>(p, row, near);
-        const float* before = &p.table.velocity[row].x;
-        const float* source = &p.table.source[row].x;
-        for (int d = 0; d < Dim; ++d) {
-          const double predicted = before[d] + part * (source[d] - omega * before[d]);
-          velocity[d] = predicted + time_step * acceleration.x[d];
-          const double moved = lead ? drift * velocity[d] : 0.5 * time_step * (before[d] + velocity[d]);
-          position[d] = p.position[d][i] + moved;
-        }
-      });
+  this->motion_.advance(p, step, lead ? 0.5 * time_step : 0.0,
+                        [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
+                          const std::uint32_t row = p.fluid_row(i);
+                          const PressureTerms<Dim> terms = pressure_terms<Dim, Viscous>(p, row, near);
+                          const float* before = &p.table.velocity[row].x;
+                          const float* source = &p.table.source[row].x;
+                          for (int d = 0; d < Dim; ++d) {
+                            const double predicted = before[d] + part * (source[d] - omega * before[d]);
+                            velocity[d] = predicted + time_step * terms.acceleration.x[d];
+                            const double moved =
+                                lead ? drift * velocity[d] : 0.5 * time_step * (before[d] + velocity[d]);
+                            position[d] = p.position[d][i] + moved;
+                          }
+                          return terms.crowded;
+                        });
 }
 
 template class IncompressibleScheme<2>;

@@ -54,21 +54,27 @@ class ViscousTerms {
 
   template <class Pair>
   void add(const Pair& pair, const PackRows& neighbour, const Vector<Dim, Pack>& u) {
-    const Pack weight = laplacian_weight(pair);
     const Vector<Dim, Pack> other = components<Dim>(neighbour);
-    radial_.add(pair, weight, neighbour.w, u, other);
-    if (particles_.laminar_viscosity > 0.0) morris_.add(pair, weight, neighbour.w, u, other);
+    radial_.add(pair, neighbour.w, u, other);
+    if (particles_.laminar_viscosity > 0.0) morris_.add(pair, neighbour.w, u, other);
   }
-  /// nu lap u, m/s^2.
-  [[nodiscard]] Vector<Dim, double> acceleration() const {
+  /// nu lap u, m/s^2, in as many parts as a pack has lanes.
+  [[nodiscard]] Vector<Dim, Pack> parts() const {
     const double unit = 2.0 * particles_.alpha / (particles_.h * particles_.h);
     const double morris = particles_.morris_part * particles_.laminar_viscosity;
     const double radial = particles_.artificial_viscosity + particles_.laminar_viscosity - morris;
-    Vector<Dim, double> sum;
+    Vector<Dim, Pack> sum;
     for (int d = 0; d < Dim; ++d) {
-      sum.x[d] = unit * (Dim + 2) * radial * horizontal_sum(radial_.value.x[d]);
-      if (morris > 0.0) sum.x[d] += unit * morris * horizontal_sum(morris_.value.x[d]);
+      sum.x[d] = splat<Pack>(unit * (Dim + 2) * radial) * radial_.value.x[d];
+      if (morris > 0.0) sum.x[d] += splat<Pack>(unit * morris) * morris_.value.x[d];
     }
+    return sum;
+  }
+  /// nu lap u, m/s^2.
+  [[nodiscard]] Vector<Dim, double> acceleration() const {
+    const Vector<Dim, Pack> packs = parts();
+    Vector<Dim, double> sum;
+    for (int d = 0; d < Dim; ++d) sum.x[d] = horizontal_sum(packs.x[d]);
     return sum;
   }
 
@@ -91,17 +97,27 @@ inline Vector<Dim, double> viscous_acceleration(const ParticleSystem<Dim>& parti
   return terms.acceleration();
 }
 
-/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, and with Viscous nu lap u too, m/s^2.
+/// What the pass over the neighbours for the pressure gradient finds.
+template <int Dim>
+struct PressureTerms {
+  Vector<Dim, double> acceleration;  ///< m/s^2
+  bool crowded;                      ///< another particle, image or solid is within the reach of separation
+};
+
+/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, and with Viscous nu lap u too.
 template <int Dim, bool Viscous = false>
-inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& particles, std::uint32_t row,
-                                                 const Neighbours& near) {
+inline PressureTerms<Dim> pressure_terms(const ParticleSystem<Dim>& particles, std::uint32_t row,
+                                         const Neighbours& near) {
   const SourceTable& table = particles.table;
   const Pack pressure = splat<Pack>(table.position[row].w);
   const auto u = splat_row<Dim>(table.velocity[row]);
   PressureGradientSum<Dim, Pack> sum;
   ViscousTerms<Dim> viscous(particles);
+  const Pack reach = splat<Pack>(particles.separation_squared);
+  Pack nearness = splat<Pack>(0.0);
   const auto add = [&](const std::uint32_t* j, const auto& pair, const Pack& other, Pack volume) {
     sum.add(pair, volume, pressure, other);
+    nearness += positive_part(reach - pair.squared);
     if constexpr (Viscous) {
       viscous.add(pair, gather_rows(table.velocity.data(), j), u);
     }
@@ -120,16 +136,19 @@ inline Vector<Dim, double> pressure_acceleration(const ParticleSystem<Dim>& part
                         });
     factor *= particles.volume;
   }
-  Vector<Dim, double> acceleration;
-  for (int d = 0; d < Dim; ++d) acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
+  PressureTerms<Dim> terms;
+  terms.crowded = horizontal_sum(nearness) > 0.0;
+  for (int d = 0; d < Dim; ++d) sum.value.x[d] *= splat<Pack>(factor);
   if constexpr (Viscous) {
-    const Vector<Dim, double> drag = viscous.acceleration();
-    for (int d = 0; d < Dim; ++d) acceleration.x[d] += drag.x[d];
+    const Vector<Dim, Pack> drag = viscous.parts();
+    for (int d = 0; d < Dim; ++d) sum.value.x[d] += drag.x[d];
   }
-  return acceleration;
+  for (int d = 0; d < Dim; ++d) terms.acceleration.x[d] = horizontal_sum(sum.value.x[d]);
+  return terms;
 }
 
-/// Number density sum V_j W_ij at table row `row`, with the volumes of `table.source`; dimensionless.
+/// Number density sum V_j W_ij of the fluid particle at table row `row`, with the volumes of `table.source`;
+/// dimensionless.
 template <int Dim>
 inline double number_density(const ParticleSystem<Dim>& particles, std::uint32_t row,
                              const Neighbours& near) {
@@ -137,7 +156,7 @@ inline double number_density(const ParticleSystem<Dim>& particles, std::uint32_t
   for_neighbours<Dim>(particles, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack&) {
     sum.add(pair, gather_rows(particles.table.source.data(), j).w);
   });
-  return particles.alpha * horizontal_sum(sum.value);
+  return particles.own_number_density() + particles.alpha * horizontal_sum(sum.value);
 }
 
 /// Gradient of the number density at table row `row`, 1/m.

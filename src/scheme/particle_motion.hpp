@@ -31,7 +31,8 @@ class ParticleMotion {
   explicit ParticleMotion(const ParticleSystem<Dim>& particles);
 
   /// Calls update(i, near, position, velocity) for every fluid particle: it gives the new position (m from
-  /// the domain's lower corner) and velocity (m/s) of particle i with neighbours `near`. Keeps the particle
+  /// the domain's lower corner) and velocity (m/s) of particle i with neighbours `near`, and returns whether
+  /// one of these may be within the reach of separation. Takes pairs of particles apart. Keeps the particle
   /// within the walls and out of the solids and stores both. `lead` is the time by which positions are ahead
   /// of velocities, s. Throws BlowUpError when a velocity is beyond reason.
   template <class Update>
@@ -45,7 +46,8 @@ class ParticleMotion {
         const Neighbours near = particles.neighbours.of(particles.fluid_row(i));
         Components position;
         Components velocity;
-        update(i, near, position, velocity);
+        const bool crowded = update(i, near, position, velocity);
+        if (crowded) separate(particles, i, near, position);
         if (shifting) shift(particles, i, near, step.time_step, position, velocity);
         settle(particles, i, lead, near.near_object, position, velocity, sums);
       }
@@ -63,6 +65,8 @@ class ParticleMotion {
   void report(RunSummary& summary) const;
 
  private:
+  void separate(const ParticleSystem<Dim>& particles, std::size_t i, const Neighbours& near,
+                Components& position) const;
   static constexpr std::size_t kBlock = 512;
   static constexpr std::uint32_t kNoRow = 0xFFFFFFFFU;
 

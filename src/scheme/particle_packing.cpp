@@ -193,7 +193,7 @@ class Packing {
   void even_out() {
     for_moving([&](std::size_t i, std::uint32_t row, const Neighbours& near) {
       if (barred_[particles_.id[i]] != kFree) return Vector<Dim, double>{};
-      Vector<Dim, double> force = pressure_acceleration(particles_, row, near);
+      Vector<Dim, double> force = pressure_terms(particles_, row, near).acceleration;
       for (double& component : force.x) component *= scene_.density;
       return force;
     });

@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t kBlock = 1024;
 /// Height of the cell grid in units of the initial height of the water.
 constexpr double kGridHeight = 1.0;
+/// Fluid particles are kept this far apart (ParticleMotion), in particle spacings.
+constexpr double kSeparationReach = 0.65;
 
 }  // namespace
 
@@ -32,6 +34,9 @@ ParticleSystem<Dim>::ParticleSystem(const Scene& of, int threads, const FluidLat
       h(scene.smoothing_length()),
       alpha(kernel_normalisation<Dim>(scene.kernel) / std::pow(h, Dim)) {
   set_viscosities();
+  if (scene.scheme.pair_separation > 0.0) {
+    separation_squared = std::pow(kSeparationReach * scene.particle_spacing / h, 2);
+  }
   std::array<double, Dim> cells{};
   for (int d = 0; d < Dim; ++d) {
     const int axis = scene_axis<Dim>(d);
@@ -256,7 +261,7 @@ void ParticleSystem<Dim>::find_neighbours() {
   groups[2] = {table.first_fluid, fluid_sort.start(), fluid == 0};
   groups[3] = {table.first_image, fluid_images.start(), fluid_images.size() == 0};
   const bool symmetric = planes.any_symmetry();
-  neighbours.build(grid, table, groups, pool, symmetric);
+  neighbours.build(grid, table, groups, kernel_reach(scene.kernel), pool, symmetric);
   if (solids.has_thin_solids()) hide_far_sides();
   if (symmetric && !solids.empty()) hide_wall_images();
   set_object_sources();

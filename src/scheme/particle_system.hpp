@@ -68,6 +68,8 @@ struct ParticleSystem {
   [[nodiscard]] Float4* fluid_rows(AlignedBuffer<Float4>& rows) const {
     return rows.data() + table.first_fluid;
   }
+  /// What a fluid particle adds to its own number density: V W(0).
+  [[nodiscard]] double own_number_density() const { return alpha * volume * kernel_at_zero(scene.kernel); }
   [[nodiscard]] std::size_t objects() const { return solids.size(); }
   /// Volume of the k-th solid particle (a side of one, SolidSide) in the order of the table.
   [[nodiscard]] double object_volume(std::size_t k) const { return solids.volume(object_sort.order()[k]); }
@@ -108,6 +110,7 @@ struct ParticleSystem {
   double h = 0.0;                     ///< smoothing length, m
   double alpha = 0.0;                 ///< kernel normalisation, m^-Dim
   double volume = 0.0;                ///< of a fluid particle, m^3 (m^2 in 2D)
+  double separation_squared = 0.0;    ///< square of kSeparationReach, h^2; 0: pairs are left alone
   double laminar_viscosity = 0.0;     ///< of the fluid, m^2/s
   double morris_part = 0.0;           ///< of it in the form of Morris (ViscousTerms)
   double artificial_viscosity = 0.0;  ///< as a kinematic one, m^2/s

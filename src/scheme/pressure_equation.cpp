@@ -113,11 +113,11 @@ typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t r
                       [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
                         const PackRows sources = gather_rows(table.source.data(), j);
                         if constexpr (WithDensity) density.add(pair, sources.w);
-                        laplacian.add(pair, laplacian_weight(pair), sources.w, pressure);
+                        laplacian.add(pair, sources.w, pressure);
                         divergence.add(pair, sources.w, s, components<Dim>(sources));
                       });
   const double normalise = 1.0 / particles_.lattice.number_density;
-  return {particles_.alpha * horizontal_sum(density.value) * normalise,
+  return {(particles_.own_number_density() + particles_.alpha * horizontal_sum(density.value)) * normalise,
           -horizontal_sum(laplacian.coefficient), -horizontal_sum(laplacian.pressure),
           particles_.alpha / particles_.h * horizontal_sum(divergence.value)};
 }
@@ -206,7 +206,7 @@ double PressureEquation<Dim>::coefficient_pressure_sum(std::uint32_t row) const 
   for_neighbours<Dim>(
       particles_, row, near, [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
         const Pack volume = near.near_object ? gather_rows(table.source.data(), j).w : fluid_volume;
-        laplacian.add(pair, laplacian_weight(pair), volume, pressure);
+        laplacian.add(pair, volume, pressure);
       });
   return -horizontal_sum(laplacian.pressure);
 }

@@ -54,7 +54,8 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   [[nodiscard]] double admissible_time_step() const override;
   [[nodiscard]] double sound_speed(double) const override { return state_.sound_speed; }
   void add_bytes(std::map<std::string, double>& by_array) const override {
-    const std::size_t bytes = rate_.bytes() + start_.bytes() + velocity_sum_.bytes() + rate_sum_.bytes();
+    const std::size_t bytes =
+        rate_.bytes() + start_.bytes() + velocity_sum_.bytes() + rate_sum_.bytes() + crowded_.size();
     by_array["rates"] += static_cast<double>(bytes + solids_.bytes());
   }
   [[nodiscard]] double planned_bytes() const override {
@@ -95,6 +96,7 @@ class WeaklyCompressibleScheme : public ParticleScheme<Dim> {
   AlignedBuffer<Float4> start_;
   AlignedBuffer<Float4> velocity_sum_;
   AlignedBuffer<Float4> rate_sum_;
+  std::vector<std::uint8_t> crowded_;  ///< PressureTerms::crowded of the last stage
 };
 
 template <int Dim>
@@ -156,12 +158,13 @@ void WeaklyCompressibleScheme<Dim>::leap_frog(const StepInHand& step) {
   this->motion_.advance(p, step, 0.5 * time_step,
                         [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
                           const std::uint32_t row = p.fluid_row(i);
-                          const Vector<Dim, double> push = pressure_acceleration(p, row, near);
+                          const PressureTerms<Dim> push = pressure_terms(p, row, near);
                           for (int d = 0; d < Dim; ++d) {
-                            const double acceleration = (&rate_[i].x)[d] + push.x[d];
+                            const double acceleration = (&rate_[i].x)[d] + push.acceleration.x[d];
                             velocity[d] = (&p.table.velocity[row].x)[d] + time_step * acceleration;
                             position[d] = p.position[d][i] + drift * velocity[d];
                           }
+                          return push.crowded;
                         });
 }
 
@@ -170,6 +173,7 @@ void WeaklyCompressibleScheme<Dim>::runge_kutta(const StepInHand& step,
                                                 std::span<const RungeKuttaStage> stages) {
   ParticleSystem<Dim>& p = this->particles_;
   for (AlignedBuffer<Float4>* array : {&start_, &velocity_sum_, &rate_sum_}) array->resize(p.fluid);
+  crowded_.resize(p.fluid);
   p.pool.run_blocks(p.fluid, 8 * kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       start_[i] = p.table.velocity[p.fluid_row(i)];
@@ -201,6 +205,7 @@ void WeaklyCompressibleScheme<Dim>::runge_kutta(const StepInHand& step,
     }
     p.carried[i] = kept_compression(i, start_[i].w + time_step * rate_sum_[i].w);
     p.pressure[i] = static_cast<float>(state_.pressure(p.carried[i]));
+    return crowded_[i] != 0;
   });
 }
 
@@ -367,8 +372,8 @@ void WeaklyCompressibleScheme<Dim>::find_rates() {
       rate.w = static_cast<float>(-(1.0 + table.position[row].w) * opening +
                                   diffusive * horizontal_sum(diffusion.value));
       rate_[i] = rate;
-      p.number_density[i] =
-          static_cast<float>(p.alpha * horizontal_sum(density.value) / p.lattice.number_density);
+      p.number_density[i] = static_cast<float>(
+          (p.own_number_density() + p.alpha * horizontal_sum(density.value)) / p.lattice.number_density);
     }
   });
 }
@@ -391,8 +396,9 @@ void WeaklyCompressibleScheme<Dim>::add_pressure_gradient() {
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t row = p.fluid_row(i);
-      const Vector<Dim, double> push = pressure_acceleration(p, row, p.neighbours.of(row));
-      for (int d = 0; d < Dim; ++d) (&rate_[i].x)[d] += static_cast<float>(push.x[d]);
+      const PressureTerms<Dim> push = pressure_terms(p, row, p.neighbours.of(row));
+      for (int d = 0; d < Dim; ++d) (&rate_[i].x)[d] += static_cast<float>(push.acceleration.x[d]);
+      crowded_[i] = push.crowded ? 1 : 0;
     }
   });
 }

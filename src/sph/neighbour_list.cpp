@@ -1,13 +1,10 @@
 #include "sph/neighbour_list.hpp"
 
-#include "core/kernel.hpp"
-
 namespace eisph {
 
 namespace {
 
 constexpr std::size_t kCellsPerItem = 48;
-constexpr float kSupportSquared = kKernelSupport * kKernelSupport;
 
 constexpr std::array<std::uint32_t, kPackWidth> kConsecutive = [] {
   std::array<std::uint32_t, kPackWidth> lanes{};
@@ -30,7 +27,8 @@ Pack excess(Pack coordinate, float lower, float upper) {
 
 template <int Dim>
 void NeighbourList<Dim>::build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups,
-                               ThreadPool& pool, bool images_for_objects) {
+                               double reach, ThreadPool& pool, bool images_for_objects) {
+  reach_squared_ = static_cast<float>(reach * reach);
   workers_.resize(static_cast<std::size_t>(pool.threads()));
   pages_taken_ = 0;
   for (Worker& worker : workers_) {
@@ -101,7 +99,7 @@ void NeighbourList<Dim>::collect_candidates(const CellGrid<Dim>& grid, const Sou
           const Pack z = excess(columns.z, lower[2], upper[2]);
           squared += z * z;
         }
-        const LaneSelection near = select_below(squared, kSupportSquared, last - row);
+        const LaneSelection near = select_below(squared, reach_squared_, last - row);
         store_selected(columns.x, near, &worker.x[count]);
         store_selected(columns.y, near, &worker.y[count]);
         store_selected(columns.z, near, &worker.z[count]);
@@ -149,13 +147,15 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
       const Pack dz = load(&worker.z[k]) - z;
       squared += dz * dz;
     }
-    const LaneSelection near = select_below(squared, kSupportSquared, last - k);
+    squared += splat<Pack>(reach_squared_) * ones_at(&worker.index[k], index);
+    const LaneSelection near = select_below(squared, reach_squared_, last - k);
     store_selected(&worker.index[k], near, out);
     out += near.count;
   }
   const auto count = static_cast<std::size_t>(out - list);
   const bool near_object = count > 0 && list[0] < table.first_fluid;
-  const bool wet = count > 0 && out[-1] >= table.first_fluid;
+  // A fluid particle may have no fluid about it.
+  const bool wet = index >= table.first_fluid || (count > 0 && out[-1] >= table.first_fluid);
   std::uint64_t packs = (count + kPackWidth - 1) / kPackWidth;
   for (std::size_t k = count; k < packs * kPackWidth; ++k) list[k] = SourceTable::kNothing;
   if (!wet) packs = 0;

@@ -13,16 +13,17 @@
 
 namespace eisph {
 
-/// The neighbours of one particle: table indices in a fixed order, the particle itself among them, filled up
-/// with SourceTable::kNothing to a whole number of packs.
+/// The neighbours of one particle: table indices in a fixed order, the particle itself not among them (on a
+/// lattice in space at h = 1.32 dx 80 are left, five packs of sixteen without a gap), filled up with
+/// SourceTable::kNothing to a whole number of packs.
 struct Neighbours {
   const std::uint32_t* begin = nullptr;
   const std::uint32_t* end = nullptr;
   bool near_object = false;  ///< an object particle or its image is among them
 };
 
-/// Neighbour lists of fluid and object particles: for the fluid every table entry closer than the support
-/// radius, for objects the fluid among them. Found through cells; the order of a list depends only on the
+/// Neighbour lists of fluid and object particles: for the fluid every table entry within the kernel's reach,
+/// for objects the fluid among them. Found through cells; the order of a list depends only on the
 /// order of the table.
 template <int Dim>
 class NeighbourList {
@@ -31,9 +32,10 @@ class NeighbourList {
   /// fluid within reach.
   using Groups = std::array<SourceGroup, 4>;
 
+  /// `reach`: how far neighbours are at most, in smoothing lengths, up to the support radius.
   /// `images_for_objects`: whether the lists of objects hold images of the fluid too.
-  void build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups, ThreadPool& pool,
-             bool images_for_objects);
+  void build(const CellGrid<Dim>& grid, const SourceTable& table, const Groups& groups, double reach,
+             ThreadPool& pool, bool images_for_objects);
 
   /// Takes the entries for which keep(j) is false out of the list of particle `index`. An object without any
   /// left is no longer wet. Lists of different particles may be filtered at the same time.
@@ -66,6 +68,8 @@ class NeighbourList {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  float reach_squared_ = 0.0F;
+
   // An entry: which page, where on it (in packs), two flags and the length (in packs).
   static constexpr std::uint64_t kCountMask = 0xFFFF;
   static constexpr std::uint64_t kNearObject = 1ULL << 16;

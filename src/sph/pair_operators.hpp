@@ -7,12 +7,11 @@ namespace eisph {
 // Sums over neighbours (method of De Castro 2019, section 3.3, and the corrections stated with each one).
 // Lengths are in units of the smoothing length: xi = x / h, so grad W = alpha/h (dW/dq)/q xi_ij and the
 // support radius is 2. Each operator adds the contribution of one neighbour (Real = float or double) or of
-// eight (Real = Pack); factors common to all neighbours (alpha, powers of h, density) are applied once per
-// particle by the caller.
+// a pack of them (Real = Pack); factors common to all neighbours (alpha, powers of h, density) are applied
+// once per particle by the caller.
 
-/// eta^2 / h^2: keeps denominators away from zero.
-inline constexpr double kEtaSquared = 1e-4;
-/// Keeps q positive for the particle itself (r = 0), whose contributions to gradients vanish.
+/// Keeps q positive for particles at the same place, whose contributions vanish or are finite: no eta is
+/// needed in denominators.
 inline constexpr double kTinySquared = 1e-12;
 
 template <int Dim, class Real>
@@ -33,6 +32,7 @@ struct PairGeometry {
   Vector<Dim, Real> offset;  ///< xi_i - xi_j
   Real squared;              ///< q^2
   Real q;
+  Real inverse_q;
   Real gradient;  ///< (dW/dq)/q / alpha, not positive; grad W = alpha/h gradient xi_ij
 
   /// W / alpha
@@ -48,34 +48,28 @@ inline PairGeometry<Dim, Real, Kernel> pair_geometry(const Vector<Dim, Real>& xi
     pair.offset.x[d] = xi_i.x[d] - xi_j.x[d];
     pair.squared += pair.offset.x[d] * pair.offset.x[d];
   }
-  const Real inverse_q = reciprocal_sqrt(pair.squared);
-  pair.q = pair.squared * inverse_q;
-  pair.gradient = Kernel::gradient(pair.q, inverse_q);
+  pair.inverse_q = reciprocal_sqrt(pair.squared);
+  pair.q = pair.squared * pair.inverse_q;
+  pair.gradient = Kernel::gradient(pair.q, pair.inverse_q);
   return pair;
 }
 
-/// gradient / (q^2 + eta^2): common to the Laplacian of pressure and the viscous term.
-template <int Dim, class Real, class Kernel>
-inline Real laplacian_weight(const PairGeometry<Dim, Real, Kernel>& pair) {
-  return pair.gradient / (pair.squared + splat<Real>(kEtaSquared));
-}
-
-/// Sums of the pressure equation (thesis (3.34), (3.35) at constant density):
-/// A_ij = (2/rho0) V_j x_ij . grad W_ij / (r^2 + eta^2).
+/// Sums of the pressure equation (thesis (3.34), (3.35) at constant density, without eta):
+/// A_ij = (2/rho0) V_j x_ij . grad W_ij / r^2.
 template <class Real>
 struct LaplacianSums {
   Real coefficient = splat<Real>(0.0);  ///< sum A_ij, without 2 alpha/(rho0 h^2)
   Real pressure = splat<Real>(0.0);     ///< sum A_ij P_j, likewise, Pa
 
   template <int Dim, class Kernel>
-  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real weight, Real volume_j, Real pressure_j) {
-    const Real a = volume_j * weight * pair.squared;
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, Real pressure_j) {
+    const Real a = volume_j * pair.gradient;
     coefficient += a;
     pressure += a * pressure_j;
   }
 };
 
-/// Number density sum V_j W_ij, without alpha.
+/// Number density sum V_j W_ij, without alpha. Neighbour lists leave the particle itself out.
 template <class Real>
 struct DensitySum {
   Real value = splat<Real>(0.0);
@@ -86,24 +80,24 @@ struct DensitySum {
   }
 };
 
-/// Viscous term after Monaghan (thesis (3.24) with the sign and eta as corrected):
-/// nu lap u = 2 (D + 2) nu sum V_j (u_ij . x_ij)/(r^2 + eta^2) grad W_ij; here without 2 (D + 2) nu
+/// Viscous term after Monaghan (thesis (3.24) with the sign as corrected, without eta):
+/// nu lap u = 2 (D + 2) nu sum V_j (u_ij . x_ij)/r^2 grad W_ij; here without 2 (D + 2) nu
 /// alpha/h^2.
 template <int Dim, class Real>
 struct ViscousSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
   template <class Kernel>
-  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real weight, Real volume_j,
-           const Vector<Dim, Real>& u_i, const Vector<Dim, Real>& u_j) {
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, const Vector<Dim, Real>& u_i,
+           const Vector<Dim, Real>& u_j) {
     Real approach = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) approach += (u_i.x[d] - u_j.x[d]) * pair.offset.x[d];
-    const Real scale = volume_j * approach * weight;
+    const Real scale = volume_j * approach * pair.gradient * pair.inverse_q * pair.inverse_q;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
   }
 };
 
-/// Viscous term after Morris, Fox & Zhu (1997): nu lap u = 2 nu sum V_j (x_ij . grad W_ij)/(r^2 + eta^2)
+/// Viscous term after Morris, Fox & Zhu (1997): nu lap u = 2 nu sum V_j (x_ij . grad W_ij)/r^2
 /// u_ij; here without 2 nu alpha/h^2. Of a shear flow along the axes of a lattice Monaghan's form finds 0.78
 /// of the Laplacian (quintic spline, h = 1.4 dx in the plane), across them 1.22; this one finds the same in
 /// all directions, but turns free bodies of fluid less freely: it does not conserve angular momentum.
@@ -112,9 +106,9 @@ struct VelocityLaplacianSum {
   Vector<Dim, Real> value = zero_vector<Dim, Real>();
 
   template <class Kernel>
-  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real weight, Real volume_j,
-           const Vector<Dim, Real>& u_i, const Vector<Dim, Real>& u_j) {
-    const Real scale = volume_j * weight * pair.squared;
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, const Vector<Dim, Real>& u_i,
+           const Vector<Dim, Real>& u_j) {
+    const Real scale = volume_j * pair.gradient;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * (u_i.x[d] - u_j.x[d]);
   }
 };

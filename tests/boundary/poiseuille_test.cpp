@@ -35,7 +35,7 @@ Eigen::MatrixXd channel_operator(int layers, double slip_factor) {
       Vector<Dim, double> velocity_j{};
       velocity_i.x[0] = u_i;
       velocity_j.x[0] = u_j;
-      sum.add(pair, laplacian_weight(pair), std::pow(spacing, Dim), velocity_i, velocity_j);
+      sum.add(pair, std::pow(spacing, Dim), velocity_i, velocity_j);
       return factor * sum.value.x[0];
     };
     for (int j = 0; j < layers; ++j) {

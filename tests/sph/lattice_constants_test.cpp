@@ -36,8 +36,8 @@ void expect_plain_sums() {
     for (int d = 0; d < Dim; ++d) squared += node.x[d] * node.x[d];
     const double q = std::sqrt(squared);
     density += std::pow(cloud.spacing, Dim) * CubicSpline::value(q);
-    // -2 V_j x_ij . grad W_ij / (r^2 + eta^2)
-    laplacian -= 2.0 * std::pow(cloud.spacing, Dim) * q * CubicSpline::derivative(q) / (squared + 1e-4);
+    // -2 V_j x_ij . grad W_ij / r^2
+    if (q > 0.0) laplacian -= 2.0 * std::pow(cloud.spacing, Dim) * CubicSpline::derivative(q) / q;
   });
   // r = 1e-6 h, which stands for zero, is felt in the eighth digit.
   const LatticeConstants constants = lattice_constants<Dim>(KernelKind::CubicSpline, kSmoothingRatio);

@@ -52,15 +52,14 @@ void expect_pack_operators_equal_double() {
     const EightPairs<Dim> eight(seed);
     const Vector<Dim, Pack> origin{};
     const auto pack = pair_geometry<Dim, Pack, CubicSpline>(origin, eight.offset_pack);
-    const Pack weight = laplacian_weight(pack);
     LaplacianSums<Pack> laplacian;
     DensitySum<Pack> density;
     ViscousSum<Dim, Pack> viscous;
     DivergenceSum<Pack> divergence;
     PressureGradientSum<Dim, Pack> gradient;
-    laplacian.add(pack, weight, eight.volume, eight.pressure_j);
+    laplacian.add(pack, eight.volume, eight.pressure_j);
     density.add(pack, eight.volume);
-    viscous.add(pack, weight, eight.volume, eight.vector_i, eight.vector_j);
+    viscous.add(pack, eight.volume, eight.vector_i, eight.vector_j);
     divergence.add(pack, eight.volume, eight.vector_i, eight.vector_j);
     gradient.add(pack, eight.volume, eight.pressure_i, eight.pressure_j);
 
@@ -71,15 +70,14 @@ void expect_pack_operators_equal_double() {
       const double volume = eight.volume[lane];
       const auto pair =
           pair_geometry<Dim, double, CubicSpline>(zero, EightPairs<Dim>::lane_of(eight.offset_pack, lane));
-      const double lane_weight = laplacian_weight(pair);
       LaplacianSums<double> lane_laplacian;
       DensitySum<double> lane_density;
       ViscousSum<Dim, double> lane_viscous;
       DivergenceSum<double> lane_divergence;
       PressureGradientSum<Dim, double> lane_gradient;
-      lane_laplacian.add(pair, lane_weight, volume, static_cast<double>(eight.pressure_j[lane]));
+      lane_laplacian.add(pair, volume, static_cast<double>(eight.pressure_j[lane]));
       lane_density.add(pair, volume);
-      lane_viscous.add(pair, lane_weight, volume, u_i, u_j);
+      lane_viscous.add(pair, volume, u_i, u_j);
       lane_divergence.add(pair, volume, u_i, u_j);
       lane_gradient.add(pair, volume, static_cast<double>(eight.pressure_i[lane]),
                         static_cast<double>(eight.pressure_j[lane]));

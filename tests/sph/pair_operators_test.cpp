@@ -46,7 +46,7 @@ template <int Dim, class Field>
 double pressure_laplacian(const LatticeCloud<Dim>& cloud, const Field& field) {
   LaplacianSums<double> sums;
   cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
-    sums.add(pair, laplacian_weight(pair), cloud.volume, field(node));
+    sums.add(pair, cloud.volume, field(node));
   });
   return 2.0 * alpha<Dim>() * (sums.coefficient * field(Vector<Dim, double>{}) - sums.pressure);
 }
@@ -57,7 +57,7 @@ Vector<Dim, double> viscous_term(const LatticeCloud<Dim>& cloud, const Field& fi
   ViscousSum<Dim, double> sum;
   const Vector<Dim, double> origin{};
   cloud.for_pairs([&](const PairGeometry<Dim, double, CubicSpline>& pair, const Vector<Dim, double>& node) {
-    sum.add(pair, laplacian_weight(pair), cloud.volume, field(origin), field(node));
+    sum.add(pair, cloud.volume, field(origin), field(node));
   });
   for (int d = 0; d < Dim; ++d) sum.value.x[d] *= 2.0 * (Dim + 2) * alpha<Dim>();
   return sum.value;
@@ -190,18 +190,21 @@ TEST(PairOperators, ViscousTermVanishesForUniformAndRigidlyTurningFlow) {
   EXPECT_NEAR(turning.x[1], 0.0, 1e-12);
 }
 
-TEST(PairOperators, TheParticleItselfAddsNothingToGradients) {
+TEST(PairOperators, OfParticlesAtTheSamePlaceAreZeroOrFinite) {
   const Vector<3, double> here{{0.3, 0.2, -0.1}};
   const auto pair = pair_geometry<3, double, CubicSpline>(here, here);
   PressureGradientSum<3, double> gradient;
   gradient.add(pair, 1.0, 1e5, 1e5);
   DivergenceSum<double> divergence_sum;
   divergence_sum.add(pair, 1.0, Vector<3, double>{{1.0, 2.0, 3.0}}, Vector<3, double>{{1.0, 2.0, 3.0}});
+  ViscousSum<3, double> viscous;
+  viscous.add(pair, 1.0, Vector<3, double>{{1.0, 2.0, 3.0}}, Vector<3, double>{{-1.0, 0.0, 5.0}});
   LaplacianSums<double> laplacian;
-  laplacian.add(pair, laplacian_weight(pair), 1.0, 1e5);
+  laplacian.add(pair, 1.0, 1e5);
   for (const double component : gradient.value.x) EXPECT_EQ(component, 0.0);
   EXPECT_EQ(divergence_sum.value, 0.0);
-  EXPECT_NEAR(laplacian.coefficient, 0.0, 1e-7) << "r = 1e-6 h stands for zero";
+  for (const double component : viscous.value.x) EXPECT_EQ(component, 0.0);
+  EXPECT_NEAR(laplacian.coefficient, -3.0, 1e-4) << "the limit of (dW/dq)/q / alpha";
 }
 
 }  // namespace

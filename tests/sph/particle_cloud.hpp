@@ -38,7 +38,7 @@ class ParticleCloud {
   }
 
   void build(NeighbourList<Dim>& list, ThreadPool& pool, bool images_for_objects = true) const {
-    list.build(grid_, table_, groups_, pool, images_for_objects);
+    list.build(grid_, table_, groups_, kKernelSupport, pool, images_for_objects);
   }
   [[nodiscard]] const SourceTable& table() const { return table_; }
 
