@@ -41,21 +41,15 @@ struct QuinticSpline {
   }
   template <class Real>
   static Real value(Real q) {
-    const Real s = splat<Real>(1.5) * q;
-    const Real outer = positive_part(splat<Real>(3.0) - s);
-    const Real middle = positive_part(splat<Real>(2.0) - s);
-    const Real inner = positive_part(splat<Real>(1.0) - s);
-    return fourth_power(outer) * outer - splat<Real>(6.0) * fourth_power(middle) * middle +
-           splat<Real>(15.0) * fourth_power(inner) * inner;
+    const Branches<Real> branch(q);
+    return splat<Real>(1.0 / power_of_5(kOuter)) * branch.outer * square(square(branch.outer)) -
+           splat<Real>(6.0 / power_of_5(kMiddle)) * branch.middle * square(square(branch.middle)) +
+           splat<Real>(15.0 / power_of_5(kInner)) * branch.inner * square(square(branch.inner));
   }
   template <class Real>
   static Real derivative(Real q) {
-    const Real s = splat<Real>(1.5) * q;
-    const Real outer = positive_part(splat<Real>(3.0) - s);
-    const Real middle = positive_part(splat<Real>(2.0) - s);
-    const Real inner = positive_part(splat<Real>(1.0) - s);
-    return splat<Real>(-7.5) * (fourth_power(outer) - splat<Real>(6.0) * fourth_power(middle) +
-                                splat<Real>(15.0) * fourth_power(inner));
+    const Branches<Real> branch(q);
+    return square(square(branch.middle)) - square(square(branch.inner)) - square(square(branch.outer));
   }
   template <class Real>
   static Real gradient(Real q, Real inverse_q) {
@@ -63,11 +57,25 @@ struct QuinticSpline {
   }
 
  private:
+  // Fourth roots of the factors 15/2, 45 and 225/2 of the fourth powers in the derivative: with them in the
+  // branches it takes three squares, a product and two fused ones.
+  static constexpr double kOuter = 1.6548754598234365;
+  static constexpr double kMiddle = 2.5900200641113513;
+  static constexpr double kInner = 3.2567778121631528;
+
   template <class Real>
-  static Real fourth_power(Real x) {
-    const Real squared = x * x;
-    return squared * squared;
+  struct Branches {
+    Real outer, middle, inner;
+    explicit Branches(Real q)
+        : outer(positive_part(splat<Real>(3.0 * kOuter) - splat<Real>(1.5 * kOuter) * q)),
+          middle(positive_part(splat<Real>(2.0 * kMiddle) - splat<Real>(1.5 * kMiddle) * q)),
+          inner(positive_part(splat<Real>(kInner) - splat<Real>(1.5 * kInner) * q)) {}
+  };
+  template <class Real>
+  static Real square(Real x) {
+    return x * x;
   }
+  static constexpr double power_of_5(double x) { return x * x * x * x * x; }
 };
 
 /// W = alpha (1 - q/2)^4 (1 + 2 q) (Wendland 1995; in SPH Robinson & Monaghan 2012), alpha = 7/(4 pi h^2) in

@@ -55,6 +55,23 @@ inline Pack positive_part<Pack>(Pack value) {
 #endif
 }
 
+/// The lesser of two values, lane by lane.
+template <class Real>
+inline Real lesser(Real a, Real b) {
+  return a < b ? a : b;
+}
+template <>
+inline Pack lesser<Pack>(Pack a, Pack b) {
+#if defined(__AVX512F__)
+  return (Pack)_mm512_min_ps((__m512)a, (__m512)b);
+#elif defined(__AVX2__)
+  return (Pack)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+  for (std::size_t k = 0; k < kPackWidth; ++k) a[k] = lesser(a[k], b[k]);
+  return a;
+#endif
+}
+
 /// 1/sqrt(value) to the accuracy of the type (Pack: about 2e-7 relative).
 template <class Real>
 inline Real reciprocal_sqrt(Real value) {

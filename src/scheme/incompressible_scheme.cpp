@@ -4,17 +4,6 @@ namespace eisph {
 
 template <int Dim>
 void IncompressibleScheme<Dim>::apply_gradient(const StepInHand& step, double source_step) {
-  const ParticleSystem<Dim>& p = this->particles_;
-  if (p.is_viscous() && !p.scene.scheme.viscous_source) {
-    advance<true>(step, source_step);
-  } else {
-    advance<false>(step, source_step);
-  }
-}
-
-template <int Dim>
-template <bool Viscous>
-void IncompressibleScheme<Dim>::advance(const StepInHand& step, double source_step) {
   ParticleSystem<Dim>& p = this->particles_;
   const double time_step = step.time_step;
   const double omega = p.scene.scheme.source_factor;
@@ -25,7 +14,10 @@ void IncompressibleScheme<Dim>::advance(const StepInHand& step, double source_st
   this->motion_.advance(p, step, lead ? 0.5 * time_step : 0.0,
                         [&](std::size_t i, const Neighbours& near, auto& position, auto& velocity) {
                           const std::uint32_t row = p.fluid_row(i);
-                          const PressureTerms<Dim> terms = pressure_terms<Dim, Viscous>(p, row, near);
+                          PressureTerms<Dim> terms = pressure_terms(p, row, near);
+                          if (const Float4* viscous = equation_.viscous(i)) {
+                            for (int d = 0; d < Dim; ++d) terms.acceleration.x[d] += (&viscous->x)[d];
+                          }
                           const float* before = &p.table.velocity[row].x;
                           const float* source = &p.table.source[row].x;
                           for (int d = 0; d < Dim; ++d) {

@@ -30,15 +30,12 @@ class IncompressibleScheme : public ParticleScheme<Dim> {
 
   /// u^{n+1} = u* - (dt/rho0) sum V_j (P_i + P_j) grad W_ij, and the new positions: x += dt u^{n+1}, half a
   /// step ahead of time, or with the stepping of the thesis x += dt (u^n + u^{n+1})/2.
-  /// Without viscosity in the source, u* has none either, and the viscous term is added here.
+  /// Without viscosity in the source, u* has none either, and the viscous term that relax() found on the way
+  /// is added here.
   /// `source_step` is the time step with which the sources were set.
   void apply_gradient(const StepInHand& step, double source_step);
 
   PressureEquation<Dim> equation_;
-
- private:
-  template <bool Viscous>
-  void advance(const StepInHand& step, double source_step);
 };
 
 }  // namespace eisph

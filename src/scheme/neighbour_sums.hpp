@@ -6,7 +6,8 @@
 namespace eisph {
 
 // The loops over the neighbours of a particle that the schemes share. Each is written once: a scheme that
-// wants another combination of operators in one pass gives for_neighbours its own body.
+// wants another combination of operators in one pass gives for_neighbours its own body. Functions with such a
+// loop are flattened: compilers leave calls in them otherwise, through which packs go by way of memory.
 
 template <int Dim>
 inline Vector<Dim, Pack> components(const PackRows& rows) {
@@ -58,23 +59,21 @@ class ViscousTerms {
     radial_.add(pair, neighbour.w, u, other);
     if (particles_.laminar_viscosity > 0.0) morris_.add(pair, neighbour.w, u, other);
   }
-  /// nu lap u, m/s^2, in as many parts as a pack has lanes.
-  [[nodiscard]] Vector<Dim, Pack> parts() const {
-    const double unit = 2.0 * particles_.alpha / (particles_.h * particles_.h);
-    const double morris = particles_.morris_part * particles_.laminar_viscosity;
-    const double radial = particles_.artificial_viscosity + particles_.laminar_viscosity - morris;
-    Vector<Dim, Pack> sum;
-    for (int d = 0; d < Dim; ++d) {
-      sum.x[d] = splat<Pack>(unit * (Dim + 2) * radial) * radial_.value.x[d];
-      if (morris > 0.0) sum.x[d] += splat<Pack>(unit * morris) * morris_.value.x[d];
-    }
-    return sum;
+  /// Artificial viscosity alone, by what a pair adds to the divergence of u.
+  template <class Pair>
+  void add_artificial(const Pair& pair, const Pack& opening) {
+    radial_.add(pair, -opening);
   }
   /// nu lap u, m/s^2.
   [[nodiscard]] Vector<Dim, double> acceleration() const {
-    const Vector<Dim, Pack> packs = parts();
+    const double unit = 2.0 * particles_.alpha / (particles_.h * particles_.h);
+    const double morris = particles_.morris_part * particles_.laminar_viscosity;
+    const double radial = particles_.artificial_viscosity + particles_.laminar_viscosity - morris;
     Vector<Dim, double> sum;
-    for (int d = 0; d < Dim; ++d) sum.x[d] = horizontal_sum(packs.x[d]);
+    for (int d = 0; d < Dim; ++d) {
+      sum.x[d] = unit * (Dim + 2) * radial * horizontal_sum(radial_.value.x[d]);
+      if (morris > 0.0) sum.x[d] += unit * morris * horizontal_sum(morris_.value.x[d]);
+    }
     return sum;
   }
 
@@ -104,46 +103,34 @@ struct PressureTerms {
   bool crowded;                      ///< another particle, image or solid is within the reach of separation
 };
 
-/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`, and with Viscous nu lap u too.
-template <int Dim, bool Viscous = false>
-inline PressureTerms<Dim> pressure_terms(const ParticleSystem<Dim>& particles, std::uint32_t row,
-                                         const Neighbours& near) {
+/// -(1/rho0) sum V_j (P_i + P_j) grad W_ij of table row `row`.
+template <int Dim>
+[[gnu::flatten]] inline PressureTerms<Dim> pressure_terms(const ParticleSystem<Dim>& particles,
+                                                          std::uint32_t row, const Neighbours& near) {
   const SourceTable& table = particles.table;
   const Pack pressure = splat<Pack>(table.position[row].w);
-  const auto u = splat_row<Dim>(table.velocity[row]);
   PressureGradientSum<Dim, Pack> sum;
-  ViscousTerms<Dim> viscous(particles);
-  const Pack reach = splat<Pack>(particles.separation_squared);
-  Pack nearness = splat<Pack>(0.0);
-  const auto add = [&](const std::uint32_t* j, const auto& pair, const Pack& other, Pack volume) {
+  Pack nearest = splat<Pack>(kKernelSupport * kKernelSupport);
+  const auto add = [&](const auto& pair, const Pack& other, const Pack& volume) {
     sum.add(pair, volume, pressure, other);
-    nearness += positive_part(reach - pair.squared);
-    if constexpr (Viscous) {
-      viscous.add(pair, gather_rows(table.velocity.data(), j), u);
-    }
+    nearest = lesser(nearest, pair.squared);
   };
   double factor = -particles.alpha / (particles.h * particles.scene.density);
   if (near.near_object) {
     for_neighbours<Dim>(particles, row, near,
                         [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
-                          add(j, pair, other, gather_rows(table.source.data(), j).w);
+                          add(pair, other, gather_rows(table.source.data(), j).w);
                         });
   } else {
     // All volumes are equal but those of objects.
-    for_neighbours<Dim>(particles, row, near,
-                        [&](const std::uint32_t* j, const auto& pair, const Pack& other) {
-                          add(j, pair, other, splat<Pack>(1.0));
-                        });
+    for_neighbours<Dim>(particles, row, near, [&](const std::uint32_t*, const auto& pair, const Pack& other) {
+      add(pair, other, splat<Pack>(1.0));
+    });
     factor *= particles.volume;
   }
   PressureTerms<Dim> terms;
-  terms.crowded = horizontal_sum(nearness) > 0.0;
-  for (int d = 0; d < Dim; ++d) sum.value.x[d] *= splat<Pack>(factor);
-  if constexpr (Viscous) {
-    const Vector<Dim, Pack> drag = viscous.parts();
-    for (int d = 0; d < Dim; ++d) sum.value.x[d] += drag.x[d];
-  }
-  for (int d = 0; d < Dim; ++d) terms.acceleration.x[d] = horizontal_sum(sum.value.x[d]);
+  terms.crowded = select_below(nearest, static_cast<float>(particles.separation_squared)).count > 0;
+  for (int d = 0; d < Dim; ++d) terms.acceleration.x[d] = factor * horizontal_sum(sum.value.x[d]);
   return terms;
 }
 

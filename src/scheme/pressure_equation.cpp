@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace eisph {
 
@@ -101,21 +102,47 @@ void PressureEquation<Dim>::set_source(double time_step) {
   solids_.set_sources(omega, time_step);
 }
 
+/// The artificial viscosity takes what a pair adds to the divergence of s = omega u + dt a, over omega: g is
+/// the same at both. Beside walls and solids, where a is not, and for the viscosity of the fluid, it takes
+/// the velocities.
 template <int Dim>
-template <bool WithDensity>
-typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t row) const {
+template <bool WithDensity, bool Viscous>
+[[gnu::flatten]] typename PressureEquation<Dim>::Sums PressureEquation<Dim>::sums(std::uint32_t row,
+                                                                                  Float4* drag) const {
   const SourceTable& table = particles_.table;
+  const Neighbours near = particles_.neighbours.of(row);
   const auto s = splat_row<Dim>(table.source[row]);
+  const auto u = splat_row<Dim>(table.velocity[row]);
+  const bool by_velocity =
+      Viscous && (near.near_object || near.near_image || particles_.laminar_viscosity > 0.0);
+  ViscousTerms<Dim> viscous(particles_);
   DensitySum<Pack> density;
   LaplacianSums<Pack> laplacian;
   DivergenceSum<Pack> divergence;
-  for_neighbours<Dim>(particles_, row, particles_.neighbours.of(row),
-                      [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
-                        const PackRows sources = gather_rows(table.source.data(), j);
-                        if constexpr (WithDensity) density.add(pair, sources.w);
-                        laplacian.add(pair, sources.w, pressure);
-                        divergence.add(pair, sources.w, s, components<Dim>(sources));
-                      });
+  const auto add_up = [&](auto from_velocity) {
+    for_neighbours<Dim>(particles_, row, near,
+                        [&](const std::uint32_t* j, const auto& pair, const Pack& pressure) {
+                          const PackRows sources = gather_rows(table.source.data(), j);
+                          if constexpr (WithDensity) density.add(pair, sources.w);
+                          laplacian.add(pair, sources.w, pressure);
+                          const Pack opening = divergence.add(pair, sources.w, s, components<Dim>(sources));
+                          if constexpr (from_velocity) {
+                            viscous.add(pair, gather_rows(table.velocity.data(), j), u);
+                          } else if constexpr (Viscous) {
+                            viscous.add_artificial(pair, opening);
+                          }
+                        });
+  };
+  if (by_velocity) {
+    add_up(std::bool_constant<Viscous>{});
+  } else {
+    add_up(std::false_type{});
+  }
+  if constexpr (Viscous) {
+    const Vector<Dim, double> acceleration = viscous.acceleration();
+    const double scale = by_velocity ? 1.0 : 1.0 / particles_.scene.scheme.source_factor;
+    for (int d = 0; d < Dim; ++d) (&drag->x)[d] = static_cast<float>(scale * acceleration.x[d]);
+  }
   const double normalise = 1.0 / particles_.lattice.number_density;
   return {(particles_.own_number_density() + particles_.alpha * horizontal_sum(density.value)) * normalise,
           -horizontal_sum(laplacian.coefficient), -horizontal_sum(laplacian.pressure),
@@ -147,6 +174,19 @@ double PressureEquation<Dim>::relaxed(const Sums& sums, double time_step) const 
 
 template <int Dim>
 void PressureEquation<Dim>::relax(double time_step) {
+  const ParticleSystem<Dim>& p = particles_;
+  if (p.is_viscous() && !p.scene.scheme.viscous_source && !at_start_) {
+    viscous_.resize(p.fluid);
+    relax_fluid<true>(time_step);
+  } else {
+    viscous_.resize(0);
+    relax_fluid<false>(time_step);
+  }
+}
+
+template <int Dim>
+template <bool Viscous>
+void PressureEquation<Dim>::relax_fluid(double time_step) {
   ParticleSystem<Dim>& p = particles_;
   coefficient_.resize(p.fluid);
   if (keeps_source_) source_term_.resize(p.fluid);
@@ -154,7 +194,7 @@ void PressureEquation<Dim>::relax(double time_step) {
   p.count_pass();
   p.pool.run_blocks(p.fluid, kBlock, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; ++i) {
-      Sums row = sums<true>(p.fluid_row(i));
+      Sums row = sums<true, Viscous>(p.fluid_row(i), Viscous ? &viscous_[i] : nullptr);
       const bool free = is_pressureless(row, time_step);
       if (at_start_ && !free && row.number_density < p.scene.scheme.free_surface_threshold) {
         row.coefficient += 2.0 * std::max(0.0, lattice_coefficient() - row.coefficient);
@@ -198,7 +238,7 @@ void PressureEquation<Dim>::remove_mean_source() {
 
 /// -sum A_ij P_j rho0 h^2 / (2 alpha) with the pressures of the table.
 template <int Dim>
-double PressureEquation<Dim>::coefficient_pressure_sum(std::uint32_t row) const {
+[[gnu::flatten]] double PressureEquation<Dim>::coefficient_pressure_sum(std::uint32_t row) const {
   const SourceTable& table = particles_.table;
   const Neighbours near = particles_.neighbours.of(row);
   const Pack fluid_volume = splat<Pack>(particles_.volume);

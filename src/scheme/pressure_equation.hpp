@@ -32,8 +32,14 @@ class PressureEquation {
   /// The source vectors s = omega u^n + dt a of the fluid with a = g + viscosity + repulsion.
   void set_source(double time_step);
 
-  /// Density, coefficients and right side of the step, and one Jacobi sweep.
+  /// Density, coefficients and right side of the step, and one Jacobi sweep. On the way, viscosity that is
+  /// not in the source: see viscous().
   void relax(double time_step);
+  /// Viscous acceleration of fluid particle i that the source of the last step did not have, m/s^2; null if
+  /// there is none.
+  [[nodiscard]] const Float4* viscous(std::size_t i) const {
+    return viscous_.size() > 0 ? &viscous_[i] : nullptr;
+  }
   /// A further Jacobi sweep with unchanged coefficients and right side.
   void sweep_again();
   /// Solves the equation from the present pressures on until the residual has fallen to `tolerance` of what
@@ -52,7 +58,7 @@ class PressureEquation {
   void find_initial_pressure();
 
   [[nodiscard]] std::size_t bytes() const {
-    return coefficient_.bytes() + source_term_.bytes() + solids_.bytes() +
+    return coefficient_.bytes() + source_term_.bytes() + viscous_.bytes() + solids_.bytes() +
            5 * pressure_.capacity() * sizeof(double);
   }
 
@@ -64,8 +70,11 @@ class PressureEquation {
     double pressure;     ///< the same sum weighted with P_j, Pa
     double divergence;   ///< of the source vector, 1/s x s
   };
-  template <bool WithDensity>
-  [[nodiscard]] Sums sums(std::uint32_t row) const;
+  /// With Viscous the viscous acceleration goes to `drag`.
+  template <bool WithDensity, bool Viscous = false>
+  [[nodiscard]] Sums sums(std::uint32_t row, Float4* drag = nullptr) const;
+  template <bool Viscous>
+  void relax_fluid(double time_step);
   [[nodiscard]] double coefficient_pressure_sum(std::uint32_t row) const;
   [[nodiscard]] bool is_pressureless(const Sums& sums, double time_step) const;
   [[nodiscard]] double relaxed(const Sums& sums, double time_step) const;
@@ -103,6 +112,7 @@ class PressureEquation {
   bool at_start_ = false;             ///< relax() is that of find_initial_pressure()
   AlignedBuffer<float> coefficient_;  ///< Sums::coefficient of the fluid, zero where there is no pressure
   AlignedBuffer<float> source_term_;  ///< right side of the equation, Pa
+  AlignedBuffer<Float4> viscous_;     ///< viscous()
   // Of solve().
   std::vector<double> diagonal_, pressure_, residual_, direction_, product_, block_sums_;
 };

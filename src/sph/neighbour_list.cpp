@@ -154,6 +154,7 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
   }
   const auto count = static_cast<std::size_t>(out - list);
   const bool near_object = count > 0 && list[0] < table.first_fluid;
+  const bool near_image = count > 0 && out[-1] >= table.first_image;
   // A fluid particle may have no fluid about it.
   const bool wet = index >= table.first_fluid || (count > 0 && out[-1] >= table.first_fluid);
   std::uint64_t packs = (count + kPackWidth - 1) / kPackWidth;
@@ -161,7 +162,7 @@ void NeighbourList<Dim>::make_list(const SourceTable& table, std::uint32_t index
   if (!wet) packs = 0;
   entries_[index] = static_cast<std::uint64_t>(worker.page_index) << kPageShift |
                     static_cast<std::uint64_t>(worker.used / kPackWidth) << kOffsetShift | (wet ? kWet : 0) |
-                    (near_object ? kNearObject : 0) | packs;
+                    (near_object ? kNearObject : 0) | (near_image ? kNearImage : 0) | packs;
   worker.used += packs * kPackWidth;
   worker.listed += packs * kPackWidth;
 }

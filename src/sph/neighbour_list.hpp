@@ -20,6 +20,7 @@ struct Neighbours {
   const std::uint32_t* begin = nullptr;
   const std::uint32_t* end = nullptr;
   bool near_object = false;  ///< an object particle or its image is among them
+  bool near_image = false;   ///< an image of the fluid is
 };
 
 /// Neighbour lists of fluid and object particles: for the fluid every table entry within the kernel's reach,
@@ -58,7 +59,8 @@ class NeighbourList {
     const std::uint64_t entry = entries_[index];
     const std::uint32_t* page = pages_[entry >> kPageShift].data();
     const std::uint32_t* begin = page + (entry >> kOffsetShift & kOffsetMask) * kPackWidth;
-    return {begin, begin + (entry & kCountMask) * kPackWidth, (entry & kNearObject) != 0};
+    return {begin, begin + (entry & kCountMask) * kPackWidth, (entry & kNearObject) != 0,
+            (entry & kNearImage) != 0};
   }
   /// Whether object particle `index` has fluid within its support.
   [[nodiscard]] bool is_wet(std::uint32_t index) const { return (entries_[index] & kWet) != 0; }
@@ -70,8 +72,9 @@ class NeighbourList {
  private:
   float reach_squared_ = 0.0F;
 
-  // An entry: which page, where on it (in packs), two flags and the length (in packs).
-  static constexpr std::uint64_t kCountMask = 0xFFFF;
+  // An entry: which page, where on it (in packs), three flags and the length (in packs).
+  static constexpr std::uint64_t kCountMask = 0x7FFF;
+  static constexpr std::uint64_t kNearImage = 1ULL << 15;
   static constexpr std::uint64_t kNearObject = 1ULL << 16;
   static constexpr std::uint64_t kWet = 1ULL << 17;
   static constexpr int kOffsetShift = 18;

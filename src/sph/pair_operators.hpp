@@ -92,7 +92,12 @@ struct ViscousSum {
            const Vector<Dim, Real>& u_j) {
     Real approach = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) approach += (u_i.x[d] - u_j.x[d]) * pair.offset.x[d];
-    const Real scale = volume_j * approach * pair.gradient * pair.inverse_q * pair.inverse_q;
+    add(pair, volume_j * approach * pair.gradient);
+  }
+  /// The same with the pair's term of DivergenceSum for u, the other way round: V_j u_ij . grad W_ij.
+  template <class Kernel>
+  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real closing) {
+    const Real scale = closing * pair.inverse_q * pair.inverse_q;
     for (int d = 0; d < Dim; ++d) value.x[d] += scale * pair.offset.x[d];
   }
 };
@@ -118,12 +123,15 @@ template <class Real>
 struct DivergenceSum {
   Real value = splat<Real>(0.0);
 
+  /// Returns the pair's term.
   template <int Dim, class Kernel>
-  void add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, const Vector<Dim, Real>& s_i,
+  Real add(const PairGeometry<Dim, Real, Kernel>& pair, Real volume_j, const Vector<Dim, Real>& s_i,
            const Vector<Dim, Real>& s_j) {
     Real opening = splat<Real>(0.0);
     for (int d = 0; d < Dim; ++d) opening += (s_j.x[d] - s_i.x[d]) * pair.offset.x[d];
-    value += volume_j * pair.gradient * opening;
+    const Real term = volume_j * pair.gradient * opening;
+    value += term;
+    return term;
   }
 };
 

@@ -228,7 +228,7 @@ TEST(SolidField, AThinWallIsAsDenseAsAThickOne) {
       const Vec3d at = place_of(*particles, row);
       if (std::abs(at.x() - 0.095) > 1e-6 || at.z() < 0.05 || at.z() > 0.15) continue;
       const Neighbours near = particles->neighbours.of(row);
-      double sum = 0.0;
+      double sum = particles->own_number_density();
       with_kernel(particles->scene.kernel, [&](auto kernel) {
         for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
           if (*j == SourceTable::kNothing) continue;
