@@ -129,7 +129,7 @@ struct SchemeSettings {
   InitialPressure initial_pressure = InitialPressure::Solve;
   bool clamp_pressure = true;    ///< no negative pressure
   double shifting = 0.0;         ///< coefficient A of the particle shifting
-  double pair_separation = 0.2;  ///< part of what pairs lack of kSeparationReach that a step makes good
+  double pair_separation = 0.5;  ///< part of what pairs lack of kSeparationReach that a step makes good
   double list_reach = 0.5;       ///< way of the fastest particle for which neighbour lists are kept, over dx
 
   // Of wcsph and delta_sph.
@@ -269,7 +269,7 @@ struct Scene {
   int dimension = 3;
   double end_time = 0.0;          ///< s
   double particle_spacing = 0.0;  ///< m
-  double smoothing_ratio = 1.4;   ///< h / dx
+  double smoothing_ratio = 1.42;  ///< h / dx
   KernelKind kernel = KernelKind::QuinticSpline;
 
   double density = 1000.0;             ///< kg/m^3

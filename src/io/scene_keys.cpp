@@ -199,10 +199,10 @@ KeyTable<SchemeSettings> scheme_keys() {
       "away from the free surface; evens out flows that stretch the particles along lines. 0: none.");
   keys.number(
           "pair_separation", "", &SchemeSettings::pair_separation, between(0.0, 1.0),
-          "Particles nearer to each other than 0.65 dx are moved apart in every step by this part of what "
+          "Particles nearer to each other than 0.62 dx are moved apart in every step by this part of what "
           "is missing; their velocities stay. Stretched flow would drive them together in pairs that stand "
           "for one. 0: none.")
-      .fallback("0.2; 0 with stepping = \"thesis\"");
+      .fallback("0.5; 0 with stepping = \"thesis\"");
   keys.number(
       "list_reach", "dx", &SchemeSettings::list_reach, between(0.0, 2.0),
       "Neighbour lists and mirror images are kept until the fastest particle can have gone this far; what "

@@ -16,6 +16,8 @@ namespace {
 constexpr double kSpeedLimitFactor = 20.0;
 /// Largest shift of a particle in a step, in particle spacings.
 constexpr double kLargestShift = 0.1;
+/// Pairs of particles that are slower than this on the mean are not taken apart, over the expected speed.
+constexpr double kSlow = 0.05;
 constexpr std::size_t kHistogramBlock = 8192;
 /// Classes of the compression histogram: 1e-3 wide below 0.5, the rest in wider ones.
 constexpr double kClassWidth = 1e-3;
@@ -27,6 +29,7 @@ ParticleMotion<Dim>::ParticleMotion(const ParticleSystem<Dim>& particles) {
   const Scene& scene = particles.scene;
   const double fall =
       std::sqrt(2.0 * scene.gravity.norm() * (scene.domain_max - scene.domain_min).maxCoeff());
+  slow_ = kSlow * scene.expected_speed();
   speed_limit_ = kSpeedLimitFactor * std::max({scene.expected_speed(), fall, particles.speed_max});
 }
 
@@ -55,12 +58,18 @@ void ParticleMotion<Dim>::shift(const ParticleSystem<Dim>& particles, std::size_
 /// (SchemeSettings::pair_separation) of what is missing, at most a tenth of the spacing in all; the velocity
 /// stays. Pressure does not do that in flow which is stretched: two particles that are driven together along
 /// one axis and from others along another keep the density that it reacts to, and stand for one from then
-/// on.
+/// on. Water that hardly moves is left alone: it would be pressed together where it settles about solids.
 template <int Dim>
 void ParticleMotion<Dim>::separate(const ParticleSystem<Dim>& particles, std::size_t i,
                                    const Neighbours& near, Components& position) const {
   const SourceTable& table = particles.table;
   const Float4& at = table.position[particles.fluid_row(i)];
+  const auto speed_of = [&](std::uint32_t row) {
+    double sum = 0.0;
+    for (int d = 0; d < Dim; ++d) sum += std::pow((&table.velocity[row].x)[d], 2);
+    return std::sqrt(sum);
+  };
+  const double speed = speed_of(particles.fluid_row(i));
   Components way{};
   double squared_way = 0.0;
   for (const std::uint32_t* j = near.begin; j != near.end; ++j) {
@@ -72,6 +81,7 @@ void ParticleMotion<Dim>::separate(const ParticleSystem<Dim>& particles, std::si
       squared += offset[d] * offset[d];
     }
     if (squared >= particles.separation_squared) continue;
+    if (speed + speed_of(*j) < 2.0 * slow_) continue;
     const double missing = std::sqrt(particles.separation_squared / squared) - 1.0;
     for (int d = 0; d < Dim; ++d) way[d] += missing * offset[d];
   }

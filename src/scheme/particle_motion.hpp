@@ -92,6 +92,7 @@ class ParticleMotion {
   [[noreturn]] void throw_blow_up(const ParticleSystem<Dim>& particles, const StepInHand& step,
                                   const BlockSums& block) const;
 
+  double slow_ = 0.0;         ///< m/s, of pairs that are left alone
   double speed_limit_ = 0.0;  ///< beyond it the run has blown up, m/s
   std::vector<BlockSums> blocks_;
   std::uint64_t penetrations_ = 0;

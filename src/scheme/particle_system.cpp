@@ -15,7 +15,7 @@ constexpr std::size_t kBlock = 1024;
 /// Height of the cell grid in units of the initial height of the water.
 constexpr double kGridHeight = 1.0;
 /// Fluid particles are kept this far apart (ParticleMotion), in particle spacings.
-constexpr double kSeparationReach = 0.65;
+constexpr double kSeparationReach = 0.62;
 
 }  // namespace
 

@@ -53,7 +53,6 @@ void add_within(CaseReport& report, const std::string& name, double value, doubl
 void add_information(CaseReport& report, const std::string& name, double value, const std::string& unit = "-",
                      const std::string& note = "");
 /// Limit on the particles of a run within 0.6 spacings of another; `suffix` tells runs of a case apart.
-void add_pairs(CaseReport& report, const ValidationRun& run, const std::string& suffix = "",
-               double most = 2.0);
+void add_pairs(CaseReport& report, const ValidationRun& run, const std::string& suffix = "");
 
 }  // namespace eisph
