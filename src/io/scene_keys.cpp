@@ -18,7 +18,7 @@ KeyTable<Scene> particle_keys() {
       .required();
   keys.number("smoothing_ratio", "", &Scene::smoothing_ratio, between(1.0, 2.0),
               "Smoothing length over particle spacing, h / dx; the kernel reaches 2 h.")
-      .fallback("quintic_spline 1.4 (2D), 1.32 (3D); wendland_c2 1.32, 1.2; cubic_spline 1.32");
+      .fallback("quintic_spline 1.42 (2D), 1.32 (3D); wendland_c2 1.32, 1.2; cubic_spline 1.32");
   keys.choice<KernelKind>("kernel", &Scene::kernel,
                           {{"quintic_spline", KernelKind::QuinticSpline},
                            {"wendland_c2", KernelKind::WendlandC2},

@@ -16,6 +16,7 @@ namespace {
 template <int Dim>
 Eigen::MatrixXd channel_operator(int layers, double slip_factor) {
   Scene scene = tank_scene(Dim);
+  scene.smoothing_ratio = 1.32;
   const double spacing = 1.0 / scene.smoothing_ratio;
   set_all_faces(scene, {FaceKind::Wall, slip_factor});
   scene.domain_max.z() = scene.domain_min.z() + layers * scene.particle_spacing;

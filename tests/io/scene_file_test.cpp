@@ -351,7 +351,7 @@ TEST(SceneFile, KeyTableNamesEveryKeyOfTheResolvedScene) {
     EXPECT_THAT(schema, HasSubstr(wanted));
   }
   EXPECT_THAT(schema, HasSubstr("a number above 0, in m; required"));
-  EXPECT_THAT(schema, HasSubstr("a number from 1 to 2; default quintic_spline 1.4 (2D), 1.32 (3D)"));
+  EXPECT_THAT(schema, HasSubstr("a number from 1 to 2; default quintic_spline 1.42 (2D), 1.32 (3D)"));
   EXPECT_THAT(schema, HasSubstr("default highest minus lowest water"));
 }
 

@@ -10,7 +10,7 @@
 namespace eisph {
 namespace {
 
-const LatticeConstants kLattice = lattice_constants<2>(KernelKind::QuinticSpline, 1.4);
+const LatticeConstants kLattice = lattice_constants<2>(KernelKind::QuinticSpline, 1.42);
 
 TEST(TimeStepping, MeetsEveryOutputTimeToTheBit) {
   const auto simulation = start(dam_break_2d());
@@ -117,9 +117,9 @@ TEST(TimeStepping, ArtificialViscosityIsThatOfItsFormula) {
   Scene scene = dam_break_2d();
   scene.artificial_viscosity = 0.05;
   const double sound_speed = 10.0 * std::sqrt(kGravity * 0.2);
-  EXPECT_NEAR(artificial_kinematic_viscosity(scene), 0.05 * 0.014 * sound_speed / 8.0, 1e-12);
+  EXPECT_NEAR(artificial_kinematic_viscosity(scene), 0.05 * 0.0142 * sound_speed / 8.0, 1e-12);
   scene.dimension = 3;
-  EXPECT_NEAR(artificial_kinematic_viscosity(scene), 0.05 * 0.014 * sound_speed / 10.0, 1e-12);
+  EXPECT_NEAR(artificial_kinematic_viscosity(scene), 0.05 * 0.0142 * sound_speed / 10.0, 1e-12);
 }
 
 TEST(TimeStepping, TheVolumeCorrectionFollowsTheStepUnlessGiven) {

@@ -27,6 +27,7 @@ Scene channel(double slip_factor) {
     scene.fluid.push_back(region);
   }
   scene.gravity.setZero();
+  scene.smoothing_ratio = 1.4;
   scene.kinematic_viscosity = 1e-3;
   scene.faces[kZMin].slip_factor = slip_factor;
   scene.faces[kZMax].slip_factor = slip_factor;
