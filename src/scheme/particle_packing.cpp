@@ -180,10 +180,12 @@ class Packing {
         const std::uint32_t row = p.fluid_row(i);
         const double error = number_density(p, row, p.neighbours.of(row)) / p.lattice.number_density - 1.0;
         const bool counts = barred_[p.id[i]] == kFree;
-        rows[i].w = counts ? static_cast<float>(error) : 0.0F;
+        // Not into the rows yet: other particles read them.
+        p.carried[i] = counts ? static_cast<float>(error) : 0.0F;
         if (counts) largest[first / kBlock] = std::max(largest[first / kBlock], std::abs(error));
       }
     });
+    for (std::uint32_t i = 0; i < p.fluid; ++i) rows[i].w = p.carried[i];
     p.mirror_pressure();
     return *std::max_element(largest.begin(), largest.end());
   }
