@@ -13,9 +13,8 @@
 
 namespace eisph {
 
-/// The neighbours of one particle: table indices in a fixed order, the particle itself not among them (on a
-/// lattice in space at h = 1.32 dx 80 are left, five packs of sixteen without a gap), filled up with
-/// SourceTable::kNothing to a whole number of packs.
+/// The neighbours of one particle: table indices in a fixed order, the particle itself not among them,
+/// filled up with SourceTable::kNothing to a whole number of packs.
 struct Neighbours {
   const std::uint32_t* begin = nullptr;
   const std::uint32_t* end = nullptr;

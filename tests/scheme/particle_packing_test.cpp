@@ -26,8 +26,7 @@ Shape sphere(const Vec3d& centre, double radius) {
 /// A tank of still water with a solid in it, whose shape is cut out of the water.
 Scene still_water_about(int dimension, const Vec3d& size, double spacing, double depth, const Shape& solid) {
   Scene scene = tank(dimension, size, spacing, box(Vec3d::Zero(), Vec3d(size.x(), size.y(), depth)));
-  scene.smoothing_ratio = default_smoothing_ratio(scene.kernel, dimension);
-  scene.scheme.free_surface_threshold = default_free_surface_threshold(scene.kernel, dimension);
+  take_kernel_defaults(scene);
   scene.fluid.push_back({.shape = solid, .cut = true});
   scene.obstacles.push_back({"solid", solid});
   return scene;

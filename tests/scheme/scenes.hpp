@@ -46,6 +46,13 @@ inline Scene tank(int dimension, const Vec3d& size, double spacing, const Shape&
   return scene;
 }
 
+/// Gives a scene the h / dx and the free-surface threshold that a scene file of its kernel and dimension
+/// gets.
+inline void take_kernel_defaults(Scene& scene) {
+  scene.smoothing_ratio = default_smoothing_ratio(scene.kernel, scene.dimension);
+  scene.scheme.free_surface_threshold = default_free_surface_threshold(scene.kernel, scene.dimension);
+}
+
 /// Water at rest all over the floor of a tank of 0.3 m, in the plane.
 inline Scene still_water_2d(double depth = 0.15) {
   return tank(2, Vec3d(0.3, 0.0, depth + 0.15), 0.01, box(Vec3d::Zero(), Vec3d(0.3, 0.0, depth)));

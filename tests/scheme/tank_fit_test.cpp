@@ -120,8 +120,7 @@ TEST(TankFit, InSpace) {
   for (const double length : {0.4, 0.411, 0.427}) {
     SCOPED_TRACE(length);
     Scene scene = tank(3, Vec3d(length, 0.307, 0.4), 0.02, box(Vec3d::Zero(), Vec3d(length, 0.307, 0.213)));
-    scene.smoothing_ratio = default_smoothing_ratio(scene.kernel, 3);
-    scene.scheme.free_surface_threshold = default_free_surface_threshold(scene.kernel, 3);
+    take_kernel_defaults(scene);
     expect_fits(scene);
     add_block(scene, box(Vec3d(0.14, 0.1, 0.0), Vec3d(0.14 + 0.3 * length, 0.201, 0.1)));
     expect_fits(scene);
