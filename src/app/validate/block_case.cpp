@@ -224,10 +224,12 @@ void judge_levels(Validator& validator, CaseReport& report, const ValidationRun&
 }
 
 /// Depth on the cells of the reference downstream of the reservoir; on the block above its top.
-void judge_depths(CaseReport& report, const ValidationRun& run) {
+DepthDifference depth_difference(const ValidationRun& run, DepthRule rule) {
   constexpr double kDry = 0.005;  // m
   const ReferenceTable table = reference_table("block_impact_depth");
-  const DepthGridBuilder builder(run.scene);
+  Scene ruled = run.scene;
+  ruled.output.depth_rule = rule;
+  const DepthGridBuilder builder(ruled);
   DepthDifference difference(kDry);
   for (const double time : kDepthTimes) {
     const DepthGrid grid = builder.build(run.state(time));
@@ -242,12 +244,25 @@ void judge_depths(CaseReport& report, const ValidationRun& run) {
       difference.add(ours, theirs[k]);
     }
   }
+  return difference;
+}
+
+/// Depths by both rules; `coarse` is a run of twice the spacing.
+void judge_depths(CaseReport& report, const ValidationRun& run, const ValidationRun& coarse) {
+  const DepthDifference difference = depth_difference(run, DepthRule::Surface);
   add_information(report, "depth", 1000.0 * difference.rms(), "mm",
                   fmt::format("RMS over cells of 40 mm downstream of the reservoir at {} times; mean "
                               "difference {:+.1f} mm",
                               kDepthTimes.size(), 1000.0 * difference.bias()));
   add_information(report, "wetted area", 100.0 * difference.wetted_overlap(), "%",
                   "wetted by 5 mm in both over wetted in either");
+  const double highest = depth_difference(run, DepthRule::HighestParticle).rms();
+  const double coarse_highest = depth_difference(coarse, DepthRule::HighestParticle).rms();
+  add_at_most(report, "depth by the highest particle, over that at twice the spacing",
+              highest / coarse_highest, 1.0, "-",
+              fmt::format("RMS {:.1f} mm against {:.1f} mm; by the free surface {:.1f} and {:.1f} mm",
+                          1000.0 * highest, 1000.0 * coarse_highest, 1000.0 * difference.rms(),
+                          1000.0 * depth_difference(coarse, DepthRule::Surface).rms()));
 }
 
 /// Free surface in the plane of symmetry, both programs in one picture.
@@ -330,7 +345,12 @@ void validate_block_impact(Validator& validator, CaseReport& report) {
   const FrontRecords theirs = records_of(reference, response_time);
   judge_pressures(report, ours, theirs, response_time);
   judge_levels(validator, report, run);
-  judge_depths(report, run);
+  const ValidationRun coarse =
+      validator.run({.scene = "block_impact",
+                     .label = "coarse",
+                     .overrides = {fmt::format("particles.spacing={}", 2.0 * spacing)},
+                     .states = kDepthTimes});
+  judge_depths(report, run, coarse);
   add_pressure_figure(validator, report, ours, theirs);
   compare_sections(validator, report, run);
   for (const double time : {0.3, 0.4, 0.5}) {

@@ -9,6 +9,7 @@ namespace eisph {
 const std::vector<ValidationCase>& validation_cases() {
   static const std::vector<ValidationCase> cases = {
       {"still_water", "Still water", true, validate_still_water},
+      {"solids", "Solids in water", true, validate_solids},
       {"sloshing", "Standing wave", true, validate_sloshing},
       {"shao_lo_2d", "Column of Shao & Lo in two dimensions", true, validate_shao_lo_2d},
       {"shao_lo_3d", "Column of Shao & Lo in three dimensions", true, validate_shao_lo_3d},

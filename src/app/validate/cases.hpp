@@ -27,6 +27,7 @@ struct ValidationCase {
 
 // The cases, by the file that holds them.
 void validate_still_water(Validator& validator, CaseReport& report);
+void validate_solids(Validator& validator, CaseReport& report);
 void validate_sloshing(Validator& validator, CaseReport& report);
 void validate_shao_lo_2d(Validator& validator, CaseReport& report);
 void validate_shao_lo_3d(Validator& validator, CaseReport& report);

@@ -190,46 +190,95 @@ void judge_sensors(Validator& validator, CaseReport& report, const ValidationRun
   report.figures.push_back({path, "Pressure at the four sensors."});
 }
 
-/// The blow on sensor 1, which is smaller than a particle: how it depends on the spacing.
-void study_impact(Validator& validator, CaseReport& report) {
-  const Curve measured = reference_table("lobovsky_h300_pressure_s1").curve("scaled_time", "scaled_pressure");
-  const double five_milliseconds = 0.005 * std::sqrt(kGravity / kLobovskyDepth);
-  ReportTable table{.caption = "Blow on sensor 1 by spacing, in rho g H",
-                    .columns = {"spacing [mm]", "peak", "peak of the 5 ms mean", "mean from 4 to 5.5",
-                                "noise about the 5 ms mean, from 3 to 5.5"},
-                    .rows = {}};
-  const auto add_row = [&](const std::string& name, const Curve& pressure, bool noisy) {
-    table.rows.push_back(
-        {name, fmt::format("{:.2f}", highest_point(restricted(pressure, 2.0, 4.0)).y),
-         noisy
-             ? fmt::format("{:.2f}",
-                           highest_point(moving_average(restricted(pressure, 2.0, 4.0), five_milliseconds)).y)
-             : "",
-         fmt::format("{:.2f}", mean_value(pressure, 4.0, 5.5)),
-         noisy ? fmt::format("{:.3f}", noise(restricted(pressure, 3.0, 5.5), five_milliseconds)) : ""});
+constexpr double kBlow = 0.05;  ///< s, over which the impulse of the blow is taken
+const double kLobovskyTime = std::sqrt(kGravity / kLobovskyDepth);
+
+/// What a blow on sensor 1 was, in rho g H.
+struct Blow {
+  double peak = 0.0;
+  double smoothed_peak = 0.0;  ///< of the 5 ms mean
+  double mean = 0.0;           ///< over kBlow from the arrival on
+  double plateau = 0.0;        ///< mean over t sqrt(g / H) = 4 to 5.5
+  double noise = 0.0;          ///< about the 5 ms mean, from 3 to 5.5
+};
+
+Blow blow_of(const Curve& pressure) {
+  const double five_milliseconds = 0.005 * kLobovskyTime;
+  const Curve strike = restricted(pressure, 2.0, 4.0);
+  const double arrival = first_rise_to(strike, 0.1);
+  return {.peak = highest_point(strike).y,
+          .smoothed_peak = highest_point(moving_average(strike, five_milliseconds)).y,
+          .mean = mean_value(pressure, arrival, arrival + kBlow * kLobovskyTime),
+          .plateau = mean_value(pressure, 4.0, 5.5),
+          .noise = noise(restricted(pressure, 3.0, 5.5), five_milliseconds)};
+}
+
+/// Medians over blows that are alike but for displacements at the start.
+Blow median_of(const std::vector<Blow>& blows) {
+  const auto median = [&](double Blow::*figure) {
+    std::vector<double> values;
+    values.reserve(blows.size());
+    for (const Blow& blow : blows) values.push_back(blow.*figure);
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
   };
-  Curve finest;
-  for (const double spacing :
-       validator.pick<std::vector<double>>({0.01, 0.005, 0.0025, 0.00125}, {0.01, 0.005})) {
-    const ValidationRun run = validator.run({.scene = "lobovsky_h300",
-                                             .label = fmt::format("dx_{:.0f}um", 1e6 * spacing),
-                                             .overrides = {fmt::format("particles.spacing={}", spacing),
-                                                           "gate.gate.max=[0.62, 0.36]", "end_time=1.1"},
-                                             .states = {}});
-    finest = dimensionless_pressure(run, "S1", kLobovskyDepth);
-    add_row(fmt::format("{:g}", 1000.0 * spacing), finest, true);
+  return {.peak = median(&Blow::peak),
+          .smoothed_peak = median(&Blow::smoothed_peak),
+          .mean = median(&Blow::mean),
+          .plateau = median(&Blow::plateau),
+          .noise = median(&Blow::noise)};
+}
+
+/// Median blow of `runs` runs, the first from the lattice, the others displaced by a hundredth of a spacing.
+Blow blow_at(Validator& validator, double spacing, int runs) {
+  std::vector<Blow> blows;
+  for (int seed = 0; seed < runs; ++seed) {
+    const ValidationRun run = validator.run(
+        {.scene = "lobovsky_h300",
+         .label = fmt::format("dx_{:.0f}um_{}", 1e6 * spacing, seed),
+         .overrides = {fmt::format("particles.spacing={}", spacing), "gate.gate.max=[0.62, 0.36]",
+                       "end_time=1.1", fmt::format("particles.jitter={}", seed == 0 ? 0.0 : 0.01),
+                       fmt::format("particles.jitter_seed={}", seed)},
+         .states = {}});
+    blows.push_back(blow_of(dimensionless_pressure(run, "S1", kLobovskyDepth)));
   }
-  add_row("measured, one run", measured, false);
+  return median_of(blows);
+}
+
+/// The blow on sensor 1, which is smaller than a particle: how it depends on the spacing. Blows scatter by
+/// tens of per cent between runs that are alike, so medians are judged.
+void study_impact(Validator& validator, CaseReport& report) {
+  const Blow measured =
+      blow_of(reference_table("lobovsky_h300_pressure_s1").curve("scaled_time", "scaled_pressure"));
+  ReportTable table{.caption = "Blow on sensor 1 by spacing, in rho g H",
+                    .columns = {"spacing [mm]", "runs", "peak", "peak of the 5 ms mean", "mean of 50 ms",
+                                "mean from 4 to 5.5", "noise about the 5 ms mean, from 3 to 5.5"},
+                    .rows = {}};
+  const auto add_row = [&](const std::string& name, int runs, const Blow& blow) {
+    table.rows.push_back({name, fmt::format("{}", runs), fmt::format("{:.2f}", blow.peak),
+                          fmt::format("{:.2f}", blow.smoothed_peak), fmt::format("{:.2f}", blow.mean),
+                          fmt::format("{:.2f}", blow.plateau), fmt::format("{:.3f}", blow.noise)});
+  };
+  Blow finest;
+  for (const auto& [spacing, runs] : validator.pick<std::vector<std::pair<double, int>>>(
+           {{0.01, 5}, {0.005, 5}, {0.0025, 5}}, {{0.01, 3}, {0.005, 3}})) {
+    finest = blow_at(validator, spacing, runs);
+    add_row(fmt::format("{:g}", 1000.0 * spacing), runs, finest);
+  }
+  if (validator.full()) add_row("1.25", 1, blow_at(validator, 0.00125, 1));
+  add_row("measured", 1, measured);
   report.tables.push_back(table);
-  add_information(
-      report, "peak of sensor 1",
-      highest_point(moving_average(restricted(finest, 2.0, 4.0), five_milliseconds)).y, "rho g H",
-      fmt::format("5 ms mean; {:.2f} measured in one run. The unsmoothed peak is a water hammer of "
-                  "single particles and falls with the spacing, see the table",
-                  highest_point(measured).y));
+  add_at_most(report, "peak of sensor 1", finest.peak, 20.0, "rho g H",
+              fmt::format("median of jittered runs; {:.2f} measured in one run. A known fault: the aim is "
+                          "{:.1f}, and the peak falls with the spacing, see the table",
+                          measured.peak, 1.4 * measured.peak));
+  add_information(report, "peak of sensor 1, 5 ms mean", finest.smoothed_peak, "rho g H",
+                  fmt::format("median; {:.2f} measured", measured.smoothed_peak));
   add_within(
-      report, "pressure at sensor 1 after the impact", mean_value(finest, 4.0, 5.5), 0.4, 1.0, "rho g H",
-      fmt::format("mean from t sqrt(g / H) = 4 to 5.5; {:.2f} measured", mean_value(measured, 4.0, 5.5)));
+      report, "impulse on sensor 1", 100.0 * (finest.mean / measured.mean - 1.0), -35.0, 35.0, "%",
+      fmt::format("over {:g} ms from the arrival on, median; a known fault: the aim is 15", 1000.0 * kBlow));
+  add_within(report, "pressure at sensor 1 after the impact", finest.plateau, 0.4, 1.0, "rho g H",
+             fmt::format("mean from t sqrt(g / H) = 4 to 5.5; {:.2f} measured", measured.plateau));
 }
 
 /// Time of the front at the wall, by the last measured position.

@@ -155,6 +155,48 @@ std::vector<double> zero_crossings(const Curve& curve) {
   return times;
 }
 
+/// Loss of amplitude in a period (s), %: that of the square roots of the highest kinetic energies of half
+/// periods, of which the wave has two in each, by a line of least squares through their logarithms.
+double decay_per_period(const ValidationRun& run, double period) {
+  const Curve energy = run.table("ledger").curve("time", "kinetic_energy", 1.0 / period, 1.0);
+  Curve logarithms;
+  const double end = run.scene.end_time / period;
+  for (double from = 0.0; from + 0.5 <= end; from += 0.5) {
+    const CurvePoint highest = highest_point(restricted(energy, from, from + 0.5));
+    logarithms.add(highest.x, 0.5 * std::log(highest.y));
+  }
+  return 100.0 * (1.0 - std::exp(mean_slope(logarithms, 0.0, end)));
+}
+
+/// How fast a wave of 60 spacings dies, by scheme and viscosity.
+void study_decay(Validator& validator, CaseReport& report, double period) {
+  ReportTable table{.caption = "Loss of amplitude in a period, 60 spacings to the length, six periods [%]",
+                    .columns = {"scheme", "default artificial viscosity", "none"},
+                    .rows = {}};
+  const auto decay = [&](const std::string& scheme, bool viscous) {
+    std::vector<std::string> overrides = {"scheme.name=" + scheme, "particles.spacing=0.0166666667",
+                                          "end_time=8.0", "output.ledger_interval=0.01"};
+    if (!viscous) overrides.emplace_back("fluid.artificial_viscosity=0.0");
+    const ValidationRun run =
+        validator.run({.scene = "sloshing",
+                       .label = fmt::format("decay_{}_{}", scheme, viscous ? "viscous" : "inviscid"),
+                       .overrides = overrides,
+                       .states = {}});
+    return decay_per_period(run, period);
+  };
+  double of_default = 0.0;
+  for (const std::string scheme : {"eisph", "isph", "wcsph", "delta_sph"}) {
+    const double viscous = decay(scheme, true);
+    if (scheme == "eisph") of_default = viscous;
+    table.rows.push_back(
+        {scheme, fmt::format("{:.1f}", viscous), fmt::format("{:.1f}", decay(scheme, false))});
+  }
+  report.tables.push_back(table);
+  add_at_most(report, "decay at 60 spacings", of_default, 9.0, "% a period",
+              "loss of amplitude, mean over six periods, with the default artificial viscosity, which takes "
+              "about 1 of it; a known fault: the aim is 3, and the table shows the other schemes");
+}
+
 }  // namespace
 
 void validate_sloshing(Validator& validator, CaseReport& report) {
@@ -195,6 +237,7 @@ void validate_sloshing(Validator& validator, CaseReport& report) {
   const double last = std::abs(highest_point(restricted(measured, 4.0, 5.5)).y);
   add_information(report, "amplitude after three periods", 100.0 * last / half_height, "% of the start");
   add_pairs(report, run);
+  study_decay(validator, report, expected);
   const auto path = validator.figure_path("level");
   write_plot(
       path,
